@@ -1,0 +1,82 @@
+package org.diacaustic.shape;
+
+/**
+ * Where a ray met a surface: filled in once, for the nearest hit only, by {@link Shape#complete}. Mutable and owned by
+ * one task. All normals point outward and have length 1.
+ */
+public final class Hit {
+    /** The distance along the ray, in lengths of its direction. */
+    public double t;
+
+    public double x;
+    public double y;
+    public double z;
+
+    /** How far the computed point may lie off the surface, in scene units. */
+    public double pointError;
+
+    /** The normal of the surface as it is. */
+    public double normalX;
+
+    public double normalY;
+    public double normalZ;
+
+    /** The normal to shade with: the surface's own, interpolated between vertices, or bumped. */
+    public double shadingX;
+
+    public double shadingY;
+    public double shadingZ;
+
+    /** The primitive of the shape that was hit: a triangle of a mesh, a sphere of a flake; 0 for single shapes. */
+    public int primitive;
+
+    /** What the shape noted with the hit, such as barycentric coordinates; see {@code Ray.hitU}. */
+    public double noteU;
+
+    public double noteV;
+
+    /** Map coordinates in 0..1, after {@link Shape#inverseMap}. */
+    public double u;
+
+    public double v;
+
+    /** How the point moves with u and with v, after {@link Shape#inverseMap}; zero where that is not defined. */
+    public double tangentUX;
+
+    public double tangentUY;
+    public double tangentUZ;
+    public double tangentVX;
+    public double tangentVY;
+    public double tangentVZ;
+
+    public void setPoint(double px, double py, double pz, double error) {
+        x = px;
+        y = py;
+        z = pz;
+        pointError = error;
+    }
+
+    /** Sets the geometric and the shading normal alike. */
+    public void setNormal(double nx, double ny, double nz) {
+        normalX = nx;
+        normalY = ny;
+        normalZ = nz;
+        shadingX = nx;
+        shadingY = ny;
+        shadingZ = nz;
+    }
+
+    public void setMap(double mapU, double mapV) {
+        u = mapU;
+        v = mapV;
+    }
+
+    public void setTangents(double ux, double uy, double uz, double vx, double vy, double vz) {
+        tangentUX = ux;
+        tangentUY = uy;
+        tangentUZ = uz;
+        tangentVX = vx;
+        tangentVY = vy;
+        tangentVZ = vz;
+    }
+}
