@@ -1,0 +1,60 @@
+package org.diacaustic.image;
+
+import java.io.BufferedOutputStream;
+import java.io.FileOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.UUID;
+
+/** Files that are seen whole or not at all. */
+final class WholeFile {
+    private WholeFile() {}
+
+    /** Writes the content of a file. */
+    interface Content {
+        void writeTo(OutputStream out) throws IOException;
+    }
+
+    /**
+     * Writes a temporary file beside the target, then puts it in the target's place in one step. On any failure the
+     * temporary file is removed and the target stays what it was. If the target is a symbolic link, what it points to
+     * is replaced.
+     */
+    static void write(Path path, Content content) throws IOException {
+        Path target = Files.isSymbolicLink(path) && Files.exists(path) ? path.toRealPath() : path;
+        Path temporary = folderOf(target).resolve("." + target.getFileName() + "." + UUID.randomUUID() + ".tmp");
+        try {
+            writeNew(temporary, content);
+            Files.move(temporary, target, StandardCopyOption.ATOMIC_MOVE);
+        } catch (Throwable failure) {
+            remove(temporary, failure);
+            throw failure;
+        }
+    }
+
+    /** Not by a file channel: an interrupted render saves what it has, and interruption closes channels. */
+    private static void writeNew(Path path, Content content) throws IOException {
+        try (FileOutputStream file = new FileOutputStream(path.toFile());
+                OutputStream out = new BufferedOutputStream(file, 1 << 16)) {
+            content.writeTo(out);
+            out.flush();
+            // Otherwise a power cut after the move could leave an empty file where the old one was.
+            file.getFD().sync();
+        }
+    }
+
+    static Path folderOf(Path path) {
+        return path.toAbsolutePath().getParent();
+    }
+
+    private static void remove(Path temporary, Throwable failure) {
+        try {
+            Files.deleteIfExists(temporary);
+        } catch (IOException e) {
+            failure.addSuppressed(e);
+        }
+    }
+}
