@@ -32,6 +32,11 @@ abstract class AreaLight implements Light {
         return highlightExponent;
     }
 
+    @Override
+    public final boolean isVisible() {
+        return true;
+    }
+
     /** Lights from the point that the sample is directed at: area in scene units squared, cosine at the light. */
     final boolean shine(double area, double cosAtLight, LightSample sample) {
         if (!(cosAtLight > 0)) {

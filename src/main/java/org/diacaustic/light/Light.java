@@ -31,8 +31,13 @@ public interface Light {
         return 0;
     }
 
+    /** Whether the light has an extent that can be seen; see {@link #emitsAlong}. */
+    default boolean isVisible() {
+        return false;
+    }
+
     /**
-     * For a light with an extent that can be seen: if the ray meets it at 0 &lt; t &lt; {@code ray.tMax}, shortens
+     * For a light that {@link #isVisible}: if the ray meets it at 0 &lt; t &lt; {@code ray.tMax}, shortens
      * {@code ray.tMax}, sets the radiance that leaves it against the ray and returns true.
      */
     default boolean emitsAlong(Ray ray, Rgb radiance) {
