@@ -10,8 +10,7 @@ import org.diacaustic.math.Vector3;
  */
 public final class SphericalMapping implements InverseMapping {
     /** Pole along +y, equator along +x. */
-    public static final SphericalMapping UPRIGHT =
-            new SphericalMapping(Vector3.ZERO, Vector3.UNIT_Y, Vector3.UNIT_X);
+    public static final SphericalMapping UPRIGHT = new SphericalMapping(Vector3.ZERO, Vector3.UNIT_Y, Vector3.UNIT_X);
 
     private final Vector3 centre;
     private final Vector3 pole;
