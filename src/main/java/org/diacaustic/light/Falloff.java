@@ -31,8 +31,9 @@ public sealed interface Falloff {
             if (!(constant >= 0 && linear >= 0 && quadratic >= 0)
                     || !(constant + linear + quadratic > 0)
                     || !(constant + linear + quadratic < Double.POSITIVE_INFINITY)) {
-                throw new IllegalArgumentException("a polynomial falloff needs finite coefficients of at least 0, not all"
-                        + " 0, but has " + constant + ", " + linear + ", " + quadratic);
+                throw new IllegalArgumentException(
+                        "a polynomial falloff needs finite coefficients of at least 0, not all" + " 0, but has "
+                                + constant + ", " + linear + ", " + quadratic);
             }
         }
 

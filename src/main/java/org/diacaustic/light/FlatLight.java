@@ -65,14 +65,7 @@ public final class FlatLight extends AreaLight {
         Vector3 halfU = edgeU.times(0.5);
         Vector3 halfV = edgeV.times(0.5);
         return new FlatLight(
-                corner.plus(halfU).plus(halfV),
-                halfU,
-                halfV,
-                false,
-                radiance,
-                falloff,
-                highlightExponent,
-                sampleCount);
+                corner.plus(halfU).plus(halfV), halfU, halfV, false, radiance, falloff, highlightExponent, sampleCount);
     }
 
     @Override
@@ -102,8 +95,7 @@ public final class FlatLight extends AreaLight {
 
     @Override
     public boolean emitsAlong(Ray ray, Rgb radiance) {
-        double against =
-                -(ray.directionX * normal.x() + ray.directionY * normal.y() + ray.directionZ * normal.z());
+        double against = -(ray.directionX * normal.x() + ray.directionY * normal.y() + ray.directionZ * normal.z());
         if (!(against > 0)) {
             return false;
         }

@@ -13,12 +13,7 @@ public final class SphereLight extends AreaLight {
     private final double radius;
 
     public SphereLight(
-            Vector3 centre,
-            double radius,
-            Color radiance,
-            Falloff falloff,
-            double highlightExponent,
-            int sampleCount) {
+            Vector3 centre, double radius, Color radiance, Falloff falloff, double highlightExponent, int sampleCount) {
         super(radiance, falloff, highlightExponent, sampleCount);
         this.sphere = new Sphere(centre, radius);
         this.centre = centre;
@@ -57,8 +52,7 @@ public final class SphereLight extends AreaLight {
                 z)) {
             return false;
         }
-        return shine(
-                cap, -(sample.directionX * nx + sample.directionY * ny + sample.directionZ * nz), sample);
+        return shine(cap, -(sample.directionX * nx + sample.directionY * ny + sample.directionZ * nz), sample);
     }
 
     @Override

@@ -33,15 +33,23 @@ final class GradientNoise {
                 sz,
                 mix(
                         sy,
-                        mix(sx, corner(ix, iy, iz, rx, ry, rz, octave, edge),
+                        mix(
+                                sx,
+                                corner(ix, iy, iz, rx, ry, rz, octave, edge),
                                 corner(ix + 1, iy, iz, rx - 1, ry, rz, octave, edge)),
-                        mix(sx, corner(ix, iy + 1, iz, rx, ry - 1, rz, octave, edge),
+                        mix(
+                                sx,
+                                corner(ix, iy + 1, iz, rx, ry - 1, rz, octave, edge),
                                 corner(ix + 1, iy + 1, iz, rx - 1, ry - 1, rz, octave, edge))),
                 mix(
                         sy,
-                        mix(sx, corner(ix, iy, iz + 1, rx, ry, rz - 1, octave, edge),
+                        mix(
+                                sx,
+                                corner(ix, iy, iz + 1, rx, ry, rz - 1, octave, edge),
                                 corner(ix + 1, iy, iz + 1, rx - 1, ry, rz - 1, octave, edge)),
-                        mix(sx, corner(ix, iy + 1, iz + 1, rx, ry - 1, rz - 1, octave, edge),
+                        mix(
+                                sx,
+                                corner(ix, iy + 1, iz + 1, rx, ry - 1, rz - 1, octave, edge),
                                 corner(ix + 1, iy + 1, iz + 1, rx - 1, ry - 1, rz - 1, octave, edge))));
     }
 

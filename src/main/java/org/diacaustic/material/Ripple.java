@@ -14,8 +14,7 @@ import org.diacaustic.shape.Hit;
  * @param phase in radians
  * @param reach the distance over which the height falls to 1/e; infinite for a ripple that does not fall
  */
-public record Ripple(Vector3 centre, double waveNumber, double height, double phase, double reach)
-        implements BumpMap {
+public record Ripple(Vector3 centre, double waveNumber, double height, double phase, double reach) implements BumpMap {
     public Ripple {
         if (!(waveNumber > 0 && waveNumber < Double.POSITIVE_INFINITY)) {
             throw new IllegalArgumentException("a wave number must be positive and finite, but is " + waveNumber);

@@ -9,10 +9,7 @@ package org.diacaustic.material;
  * @param backFacingBump what happens to a bumped normal that faces away from the ray
  */
 public record ScatterRules(
-        boolean fresnel,
-        boolean dropTotalInternalReflection,
-        boolean scaleRadiance,
-        BackFacingBump backFacingBump) {
+        boolean fresnel, boolean dropTotalInternalReflection, boolean scaleRadiance, BackFacingBump backFacingBump) {
 
     /** Light as it is. */
     public static final ScatterRules PHYSICAL = new ScatterRules(true, false, true, BackFacingBump.BEND);

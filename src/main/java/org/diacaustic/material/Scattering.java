@@ -60,8 +60,7 @@ public final class Scattering {
             int side,
             double nNear,
             double nFar) {
-        boolean bumped =
-                hit.shadingX != hit.normalX || hit.shadingY != hit.normalY || hit.shadingZ != hit.normalZ;
+        boolean bumped = hit.shadingX != hit.normalX || hit.shadingY != hit.normalY || hit.shadingZ != hit.normalZ;
         faceTheRay(rules, ray, hit, side, bumped);
         boolean transparent = !surface.transparency.isBlack();
         double fresnel = 0;

@@ -25,7 +25,8 @@ final class DirectLight {
     DirectLight(RenderPlan plan, Counters counters, SampleStream random) {
         this.plan = plan;
         this.lights = plan.scene().lights().toArray(Light[]::new);
-        this.shadow = new ShadowRay(plan.index(), lights.length, !plan.settings().usesListOrder());
+        this.shadow =
+                new ShadowRay(plan.index(), lights.length, !plan.settings().usesListOrder());
         this.counters = counters;
         this.random = random;
     }
@@ -105,8 +106,7 @@ final class DirectLight {
                 arrives.green * surface.diffuse.green * diffuse,
                 arrives.blue * surface.diffuse.blue * diffuse);
         if (highlights != null) {
-            double towards =
-                    cosine(highlights.reflectedX, highlights.reflectedY, highlights.reflectedZ);
+            double towards = cosine(highlights.reflectedX, highlights.reflectedY, highlights.reflectedZ);
             double lobe = plan.highlight(towards, light.highlightExponent());
             radiance.add(
                     arrives.red * highlights.reflectance.red * lobe,

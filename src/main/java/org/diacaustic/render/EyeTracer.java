@@ -77,7 +77,17 @@ final class EyeTracer {
         radiance.set(0, 0, 0);
         carried.set(1, 1, 1);
         pending.clear();
-        push(ray.originX, ray.originY, ray.originZ, ray.directionX, ray.directionY, ray.directionZ, 0, SceneIndex.NONE, 0, 0)
+        push(
+                        ray.originX,
+                        ray.originY,
+                        ray.originZ,
+                        ray.directionX,
+                        ray.directionY,
+                        ray.directionZ,
+                        0,
+                        SceneIndex.NONE,
+                        0,
+                        0)
                 .copyFrom(plan.mediaAtEye());
         while (!pending.isEmpty()) {
             pending.pop(ray, throughput, media);
@@ -132,7 +142,17 @@ final class EyeTracer {
             if (!media.isVisible()) {
                 media.cross(object, side > 0);
                 carried.set(throughput);
-                push(hit.x, hit.y, hit.z, ray.directionX, ray.directionY, ray.directionZ, depth, object, hit.primitive, departureError(along))
+                push(
+                                hit.x,
+                                hit.y,
+                                hit.z,
+                                ray.directionX,
+                                ray.directionY,
+                                ray.directionZ,
+                                depth,
+                                object,
+                                hit.primitive,
+                                departureError(along))
                         .copyFrom(media);
                 return;
             }
@@ -170,12 +190,32 @@ final class EyeTracer {
     private void goOn(int object, int side, int depth, double error) {
         if (carries(scattering.reflectance)) {
             counters.reflectionRays++;
-            push(hit.x, hit.y, hit.z, scattering.reflectedX, scattering.reflectedY, scattering.reflectedZ, depth + 1, object, hit.primitive, error)
+            push(
+                            hit.x,
+                            hit.y,
+                            hit.z,
+                            scattering.reflectedX,
+                            scattering.reflectedY,
+                            scattering.reflectedZ,
+                            depth + 1,
+                            object,
+                            hit.primitive,
+                            error)
                     .copyFrom(media);
         }
         if (carries(scattering.transmittance)) {
             counters.refractionRays++;
-            MediumStack beyond = push(hit.x, hit.y, hit.z, scattering.transmittedX, scattering.transmittedY, scattering.transmittedZ, depth + 1, object, hit.primitive, error);
+            MediumStack beyond = push(
+                    hit.x,
+                    hit.y,
+                    hit.z,
+                    scattering.transmittedX,
+                    scattering.transmittedY,
+                    scattering.transmittedZ,
+                    depth + 1,
+                    object,
+                    hit.primitive,
+                    error);
             beyond.copyFrom(media);
             beyond.cross(object, side > 0);
         }

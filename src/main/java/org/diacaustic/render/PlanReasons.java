@@ -31,16 +31,31 @@ final class PlanReasons {
         List<Decision> list = new ArrayList<>();
         list.add(shader(shader));
         list.add(tree());
-        list.add(optional("filter walk", traits.hasTransparency(), "shadow rays through transparent objects",
-                "the scene has transparent objects", "nothing is transparent"));
+        list.add(optional(
+                "filter walk",
+                traits.hasTransparency(),
+                "shadow rays through transparent objects",
+                "the scene has transparent objects",
+                "nothing is transparent"));
         list.add(lens());
-        list.add(optional("map coordinates", traits.needsMaps(), "inverse mapping of hits",
-                "a texture or bump is laid on a map", "no texture or bump is laid on a map"));
-        list.add(optional("bump maps", traits.hasBumps(), "tilted normals", "a material is bumped",
-                "no material is bumped"));
-        list.add(optional("absorption", traits.hasAbsorption(), "attenuation along rays", "a medium absorbs",
+        list.add(optional(
+                "map coordinates",
+                traits.needsMaps(),
+                "inverse mapping of hits",
+                "a texture or bump is laid on a map",
+                "no texture or bump is laid on a map"));
+        list.add(optional(
+                "bump maps", traits.hasBumps(), "tilted normals", "a material is bumped", "no material is bumped"));
+        list.add(optional(
+                "absorption",
+                traits.hasAbsorption(),
+                "attenuation along rays",
+                "a medium absorbs",
                 "no medium absorbs"));
-        list.add(optional("highlights", traits.hasHighlights() && reflects(), "specular term",
+        list.add(optional(
+                "highlights",
+                traits.hasHighlights() && reflects(),
+                "specular term",
                 "a light has a highlight exponent and something reflects",
                 "no light has a highlight exponent, or nothing reflects"));
         list.add(supersampling());
@@ -61,16 +76,26 @@ final class PlanReasons {
         }
         List<String> bending = traits.refracting();
         if (bending.isEmpty()) {
-            return new Decision("shader", true, name,
+            return new Decision(
+                    "shader",
+                    true,
+                    name,
                     "no transparent object bends light, so straight shadow rays are exact for what passes through");
         }
-        return new Decision("shader", true, name,
+        return new Decision(
+                "shader",
+                true,
+                name,
                 "approximate: light through " + String.join(", ", bending) + " is taken to go straight");
     }
 
     private Decision tree() {
         if (index.hasTree()) {
-            return new Decision("top-level tree", true, "hierarchy of boxes", scene.objects().size() + " objects");
+            return new Decision(
+                    "top-level tree",
+                    true,
+                    "hierarchy of boxes",
+                    scene.objects().size() + " objects");
         }
         String reason = settings.usesListOrder()
                 ? "counters are to mean what the thesis' do"

@@ -53,8 +53,8 @@ public final class RenderJob {
      */
     public Rendering run() {
         long start = System.nanoTime();
-        LinearImage image =
-                new LinearImage(plan.scene().camera().width(), plan.scene().camera().height());
+        LinearImage image = new LinearImage(
+                plan.scene().camera().width(), plan.scene().camera().height());
         List<TileRenderer> renderers = new ArrayList<>();
         List<Thread> workers = new ArrayList<>();
         for (int i = 0; i < threads; i++) {

@@ -44,8 +44,7 @@ public final class RenderPlan {
                     "unknown shader '" + name + "'; known are auto, " + String.join(", ", shaders.keySet()));
         }
         this.mediaAtEye = MediumLocator.locate(index, scene.camera().from());
-        this.visibleLights =
-                scene.lights().stream().filter(Light::isVisible).toArray(Light[]::new);
+        this.visibleLights = scene.lights().stream().filter(Light::isVisible).toArray(Light[]::new);
         this.decisions = reasons.decisions(shader.name());
     }
 
@@ -64,8 +63,7 @@ public final class RenderPlan {
     public static RenderPlan of(Scene scene, Settings settings, List<Shader> additional) {
         Map<String, Shader> shaders = new LinkedHashMap<>();
         shaders.put(NonTransparentShader.NAME, new NonTransparentShader());
-        shaders.put(
-                NonRefractiveShader.NAME, new NonRefractiveShader(settings.scatterRules(), settings.attenuates()));
+        shaders.put(NonRefractiveShader.NAME, new NonRefractiveShader(settings.scatterRules(), settings.attenuates()));
         additional.forEach(shader -> shaders.put(shader.name(), shader));
         return new RenderPlan(scene, settings, shaders);
     }

@@ -38,11 +38,13 @@ public final class SceneIndex {
             tree = null;
             treed = bounded;
         } else {
-            Bounds[] boxes = new Bounds[bounded.length];
-            for (int i = 0; i < boxes.length; i++) {
-                boxes[i] = objects[bounded[i]].shape().bounds();
+            double[] boxes = new double[6 * bounded.length];
+            for (int i = 0; i < bounded.length; i++) {
+                Bounds box = objects[bounded[i]].shape().bounds();
+                double[] sides = {box.minX(), box.minY(), box.minZ(), box.maxX(), box.maxY(), box.maxZ()};
+                System.arraycopy(sides, 0, boxes, 6 * i, 6);
             }
-            tree = BoxHierarchy.of(boxes);
+            tree = BoxHierarchy.over(boxes);
             treed = new int[bounded.length];
             for (int slot = 0; slot < treed.length; slot++) {
                 treed[slot] = bounded[tree.item(slot)];
@@ -97,9 +99,10 @@ public final class SceneIndex {
             }
         }
         if (tree != null) {
+            ray.leaving = leavingObject == NONE ? Ray.FREE : leavingPrimitive;
             int base = tree.enter(ray);
             for (int leaf = tree.next(ray, base); leaf != BoxHierarchy.DONE; leaf = tree.next(ray, base)) {
-                int end = BoxHierarchy.first(leaf) + BoxHierarchy.count(leaf);
+                int end = BoxHierarchy.end(leaf);
                 for (int slot = BoxHierarchy.first(leaf); slot < end; slot++) {
                     int object = treed[slot];
                     ray.leaving = object == leavingObject ? leavingPrimitive : Ray.FREE;
@@ -141,9 +144,10 @@ public final class SceneIndex {
         if (tree == null) {
             return false;
         }
+        ray.leaving = leavingObject == NONE ? Ray.FREE : leavingPrimitive;
         int base = tree.enter(ray);
         for (int leaf = tree.next(ray, base); leaf != BoxHierarchy.DONE; leaf = tree.next(ray, base)) {
-            int end = BoxHierarchy.first(leaf) + BoxHierarchy.count(leaf);
+            int end = BoxHierarchy.end(leaf);
             for (int slot = BoxHierarchy.first(leaf); slot < end; slot++) {
                 int object = treed[slot];
                 ray.leaving = object == leavingObject ? leavingPrimitive : Ray.FREE;

@@ -53,8 +53,7 @@ public final class ShadowRay {
      * @param error how far the hit may lie off its surface, along the line
      * @param around the media on the lit side of the hit
      */
-    public void aim(
-            int lightNumber, Hit from, int object, double error, LightSample sample, MediumStack around) {
+    public void aim(int lightNumber, Hit from, int object, double error, LightSample sample, MediumStack around) {
         light = lightNumber;
         fromObject = object;
         fromPrimitive = from.primitive;
