@@ -1,5 +1,6 @@
 package org.diacaustic.material;
 
+import org.diacaustic.math.Rgb;
 import org.diacaustic.shape.Hit;
 
 /**
@@ -21,6 +22,9 @@ public interface BumpMap {
         double x;
         double y;
         double z;
+
+        /** Room for a bump map to look up a colour. */
+        final Rgb scratch = new Rgb();
 
         public void clear() {
             x = 0;

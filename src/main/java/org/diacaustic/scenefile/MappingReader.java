@@ -270,6 +270,16 @@ public final class MappingReader {
         }
     }
 
+    /** Adds that the file named under a key cannot be read. */
+    public void unreadable(String key, String message) {
+        slot(key).unreadable(message);
+    }
+
+    /** Adds that what stands under a key is larger than we take on. */
+    public void limit(String key, String message) {
+        slot(key).limit(message);
+    }
+
     public void warning(String key, String message) {
         slot(key).warning(message);
     }

@@ -39,6 +39,11 @@ final class Section {
         problems.unreadable(place, path, message);
     }
 
+    void limit(Place place, String path, String message) {
+        markFlawed();
+        problems.limit(place, path, message);
+    }
+
     void warning(Place place, String path, String message) {
         problems.warning(place, path, message);
     }

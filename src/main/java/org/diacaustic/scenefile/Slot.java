@@ -29,6 +29,12 @@ record Slot(Section section, String path, Place place, Node node, boolean silent
         }
     }
 
+    void limit(String message) {
+        if (!silent) {
+            section.limit(place, path, message);
+        }
+    }
+
     void warning(String message) {
         if (!silent) {
             section.warning(place, path, message);
