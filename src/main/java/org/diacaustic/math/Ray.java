@@ -28,7 +28,10 @@ public final class Ray {
      */
     public int leaving;
 
-    /** How far the origin may lie off the surface that the ray leaves, measured in t. 0 in free space. */
+    /**
+     * How far the origin may lie off the surface that the ray leaves, measured in t: the error of the point ÷ the
+     * length of the direction. 0 in free space.
+     */
     public double departureError;
 
     /** The primitive of the nearest hit so far: a number that its shape gave it. */
@@ -56,6 +59,9 @@ public final class Ray {
 
     /** How many entries of the stack are in use. Nested hierarchies use it one above the other. */
     public int stackTop;
+
+    /** Where shapes that solve for several roots keep them; of no meaning between calls. */
+    public final double[] roots = new double[4];
 
     private Ray local;
 

@@ -12,6 +12,7 @@ public final class PlanarMapping implements InverseMapping {
     private final Vector3 sideV;
     private final Vector3 dualU;
     private final Vector3 dualV;
+    private final Vector3 normal;
 
     /**
      * @param origin the point of u = v = 0
@@ -25,7 +26,7 @@ public final class PlanarMapping implements InverseMapping {
         }
         Vector3 unitU = sideU.normalized();
         Vector3 unitV = sideV.normalized();
-        Vector3 normal = unitU.cross(unitV);
+        this.normal = unitU.cross(unitV);
         double sine = normal.length();
         if (sine == 0) {
             throw new IllegalArgumentException(
@@ -43,6 +44,7 @@ public final class PlanarMapping implements InverseMapping {
     public void map(Hit hit) {
         hit.setMap(repeated(along(dualU, hit)), repeated(along(dualV, hit)));
         tangents(hit);
+        Projection.ofTangents(hit, normal.x(), normal.y(), normal.z());
     }
 
     /** As {@link #map}, but what lies beyond the map by rounding stays at its border. */

@@ -13,6 +13,8 @@ import org.diacaustic.math.Vector3;
 public final class Plane implements Shape {
     private final Vector3 point;
     private final Vector3 normal;
+    private final Vector3 mapAxisU;
+    private final Vector3 mapAxisV;
     private final PlanarMapping mapping;
 
     /**
@@ -30,8 +32,9 @@ public final class Plane implements Shape {
         this.point = point;
         this.normal = normal.normalized();
         Vector3 axis = Math.abs(this.normal.x()) < 0.8 ? Vector3.UNIT_X : Vector3.UNIT_Z;
-        Vector3 v = this.normal.cross(axis).normalized();
-        this.mapping = new PlanarMapping(point, v.cross(this.normal), v);
+        this.mapAxisV = this.normal.cross(axis).normalized();
+        this.mapAxisU = mapAxisV.cross(this.normal);
+        this.mapping = new PlanarMapping(point, mapAxisU, mapAxisV);
     }
 
     public Vector3 point() {
@@ -41,6 +44,14 @@ public final class Plane implements Shape {
     /** The outward normal, of length 1. */
     public Vector3 normal() {
         return normal;
+    }
+
+    Vector3 mapAxisU() {
+        return mapAxisU;
+    }
+
+    Vector3 mapAxisV() {
+        return mapAxisV;
     }
 
     @Override

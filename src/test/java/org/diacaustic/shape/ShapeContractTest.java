@@ -103,7 +103,7 @@ class ShapeContractTest {
             }
             crossings += along;
         }
-        assertThat(crossings).isGreaterThan(RAYS / 4);
+        assertThat(crossings).isGreaterThan(RAYS / 10);
     }
 
     @ParameterizedTest
@@ -130,7 +130,8 @@ class ShapeContractTest {
                 assertThat(sample.isConvex())
                         .as("ray %s, rise %s, t %s", i, rise, ray.tMax)
                         .isFalse();
-                assertThat(ray.tMax * out.length()).isGreaterThan(sample.size() * 1e-7);
+                // Along a hollow the surface rises to meet the ray: not nearer than 2·rise·(radius of the hollow).
+                assertThat(ray.tMax * out.length()).isGreaterThan(0.02 * rise * sample.size() + hit.pointError);
             }
         }
     }

@@ -16,6 +16,26 @@ enum ShapeSample {
             ConvexPolygon.twoSided(at(k, -1, 0.5, -1), at(k, -1.5, 0.5, 1), at(k, 1, 0.5, 0.8), at(k, 1.2, 0.5, -0.9))),
     ONE_SIDED_HEXAGON(k -> ConvexPolygon.oneSided(
             at(k, 2, 0, 0), at(k, 1, 1, 0), at(k, -1, 1, 0), at(k, -2, 0, 0), at(k, -1, -1, 0), at(k, 1, -1, 0))),
+    BOX(k -> new Box(at(k, -1, 0.25, -0.75), at(k, 0.5, 1, 2))),
+    FAR_BOX(k -> new Box(at(k, 1e6, -1e6, 3e6), at(k, 1e6 + 1, -1e6 + 2, 3e6 + 1.5))),
+    DISC(k -> new Disc(at(k, 0.1, 0.2, 0.3), new Vector3(1, 2, -0.5), 1.5 * k)),
+    RING(k -> new Disc(at(k, 0.1, 0.2, 0.3), Vector3.UNIT_Z, 0.75 * k, 1.5 * k)),
+    CYLINDER(k -> Frustum.cylinder(at(k, 0, 0, 0), at(k, 0, 2, 0), 0.75 * k, true)),
+    LEANING_CYLINDER(k -> Frustum.cylinder(at(k, 100, 0, 0), at(k, 101, 2, -1), 0.5 * k, true)),
+    OPEN_CYLINDER(k -> Frustum.cylinder(at(k, 1, 0.5, 0), at(k, 0.3, 2, 0.4), 0.75 * k, false)),
+    CONE(k -> Frustum.cone(at(k, 0, 0, 0), 1.25 * k, at(k, 0.5, 2, 0.25), true)),
+    OPEN_CONE(k -> Frustum.cone(at(k, 0, 0, 0), 1.25 * k, at(k, 0.5, 2, 0.25), false)),
+    FRUSTUM(k -> Frustum.between(at(k, 0, 0, 1), 0.25 * k, at(k, 0.5, 2, 0.25), 1.5 * k, true)),
+    TORUS(k -> new Torus(at(k, 0.1, 0.2, 0.3), Vector3.UNIT_Y, k, 0.25 * k)),
+    FAT_TORUS(k -> new Torus(at(k, 0.1, 0.2, 0.3), new Vector3(1, 2, 3), 3 * k, 2.75 * k)),
+    FAR_TORUS(k -> new Torus(at(k, 1e5, 2e5, -3e5), new Vector3(1, 2, 3), 3 * k, 0.5 * k)),
+    MOVED_TORUS(k -> new Transformed(
+            TORUS.make.apply(k), Transform.identity().scale(1, 2, 0.5).rotate(new Vector3(1, -2, 0.3), 77))),
+    MOVED_BOX(k -> new Transformed(
+            new Box(at(k, -1, 0.25, -0.75), at(k, 0.5, 1, 2)),
+            Transform.identity().rotate(new Vector3(1, -2, 0.3), 77).translate(at(k, 100, 200, -300)))),
+    MOVED_CONE(k -> new Transformed(
+            CONE.make.apply(k), Transform.identity().scale(1, -2, 0.25).translate(at(k, 3, 4, 5)))),
     MOVED_SPHERE(k -> new Transformed(
             new Sphere(at(k, 0.5, 0, 0), 0.6 * k),
             Transform.identity()
@@ -67,10 +87,14 @@ enum ShapeSample {
     }
 
     boolean isConvex() {
-        return true;
+        return this != OPEN_CYLINDER && this != OPEN_CONE && !isTorus();
+    }
+
+    private boolean isTorus() {
+        return name().endsWith("TORUS");
     }
 
     int mostCrossings() {
-        return shape().isClosed() ? 2 : 1;
+        return isTorus() ? 4 : shape().isClosed() || !isConvex() ? 2 : 1;
     }
 }
