@@ -34,6 +34,7 @@ public final class MappingReader {
     private final Mapping mapping;
     private final Map<String, Entry> entries = new LinkedHashMap<>();
     private final Set<String> asked = new LinkedHashSet<>();
+    private boolean finished;
 
     /** @param mapping null if it is missing or wrong, which has been told: then nothing more is */
     MappingReader(Section around, String path, Mapping mapping) {
@@ -296,13 +297,13 @@ public final class MappingReader {
      * @return whether the mapping is there and no error has been found in it or below it
      */
     public boolean finish() {
-        for (Entry entry : entries.values()) {
+        for (Entry entry : finished ? List.<Entry>of() : entries.values()) {
             String key = entry.key().text();
             if (!asked.contains(key)) {
                 section.error(entry.key().place(), child(key), "unknown key" + advice(entry));
-                asked.add(key);
             }
         }
+        finished = true;
         return mapping != null && !section.isFlawed();
     }
 

@@ -24,11 +24,7 @@ sealed interface Node {
             if (isNull()) {
                 return "nothing";
             }
-            StringBuilder shown = new StringBuilder();
-            text.codePoints()
-                    .limit(SHOWN)
-                    .forEach(c -> shown.appendCodePoint(Character.isISOControl(c) ? '\ufffd' : c));
-            return "'" + shown + (text.codePointCount(0, text.length()) > SHOWN ? "…" : "") + "'";
+            return "'" + Problem.printable(text, SHOWN) + "'";
         }
     }
 

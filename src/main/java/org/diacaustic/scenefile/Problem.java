@@ -8,6 +8,24 @@ package org.diacaustic.scenefile;
  */
 public record Problem(Severity severity, Kind kind, Place place, String keyPath, String message) {
 
+    private static final int LONGEST_PATH = 200;
+    private static final int LONGEST_MESSAGE = 600;
+
+    /** Parts that come from a file are made fit to print: one line, no control characters, a bounded length. */
+    public Problem {
+        keyPath = printable(keyPath, LONGEST_PATH);
+        message = printable(message, LONGEST_MESSAGE);
+    }
+
+    /** The start of a text, with a mark in place of each control character. */
+    static String printable(String text, int longest) {
+        StringBuilder shown = new StringBuilder();
+        text.codePoints().limit(longest).forEach(c -> shown.appendCodePoint(Character.isISOControl(c) ? '\ufffd' : c));
+        return text.codePointCount(0, text.length()) > longest
+                ? shown.append('…').toString()
+                : shown.toString();
+    }
+
     public enum Severity {
         ERROR,
         WARNING

@@ -81,13 +81,14 @@ public final class SceneDocument {
         Optional<Node> parsed = YamlParser.parse(source, value, problems);
         if (problems.errorCount() == before) {
             Node node = parsed.orElse(new Scalar(Place.of(source), "", true));
-            overlay(root, path, placed(node, Place.of(source))).ifPresent(changed -> root = changed);
+            overlay(root, path, 0, placed(node, Place.of(source))).ifPresent(changed -> root = changed);
         }
     }
 
-    private Optional<Mapping> overlay(Mapping mapping, List<String> path, Node value) {
-        String key = path.get(0);
-        if (path.size() == 1) {
+    /** The mapping with a value under the keys of {@code path} from {@code depth} on. */
+    private Optional<Mapping> overlay(Mapping mapping, List<String> path, int depth, Node value) {
+        String key = path.get(depth);
+        if (depth == path.size() - 1) {
             return Optional.of(mapping.with(key, value));
         }
         Node next = mapping.entries().stream()
@@ -99,10 +100,11 @@ public final class SceneDocument {
             next = new Mapping(next.place(), List.of());
         }
         if (!(next instanceof Mapping deeper)) {
-            problems.error(value.place(), key, "is not a mapping that a value can be put into: " + next.describe());
+            String keys = String.join(".", path.subList(0, depth + 1));
+            problems.error(value.place(), keys, "is not a mapping that a value can be put into: " + next.describe());
             return Optional.empty();
         }
-        return overlay(deeper, path.subList(1, path.size()), value).map(changed -> mapping.with(key, changed));
+        return overlay(deeper, path, depth + 1, value).map(changed -> mapping.with(key, changed));
     }
 
     /** The same value with every place replaced: inside an option, line and column say nothing. */

@@ -16,15 +16,17 @@ final class SyntaxErrors {
         String found = oneLine(syntax.getProblem());
         Optional<Mark> at = syntax.getProblemMark();
         Optional<Mark> began = syntax.getContextMark();
-        if (syntax.getContext() != null && syntax.getContext().contains("flow") && began.isPresent()) {
+        if (found.startsWith("expected ',' or") && began.isPresent()) {
             // A bracket left open is only noticed later, often lines below; what helps is where it was opened.
             String noticed = at.map(mark -> " at line " + (mark.getLine() + 1) + ", column " + (mark.getColumn() + 1))
                     .orElse("");
             return problem(
                     YamlParser.place(source, began), "the bracket opened here is not closed: " + found + noticed);
         }
-        String advice = found.contains("TAB") || found.contains("\\t") ? "; indent with spaces, not tabs" : "";
-        return problem(YamlParser.place(source, at.or(() -> began)), "is not YAML: " + found + advice);
+        if (found.contains("TAB")) {
+            found = "a tab cannot begin a value or indent it; use spaces";
+        }
+        return problem(YamlParser.place(source, at.or(() -> began)), "is not YAML: " + found);
     }
 
     static Problem explain(String source, String text, ReaderException character) {
