@@ -73,6 +73,19 @@ public final class Material {
         return !bumps.isEmpty();
     }
 
+    /** The same material on a surface whose normal points the other way. */
+    public Material withSidesExchanged() {
+        Builder builder = new Builder();
+        builder.diffuse = diffuse;
+        builder.ambient = ambient;
+        builder.reflectivity = reflectivity;
+        builder.transparency = transparency;
+        builder.inside = outside;
+        builder.outside = inside;
+        builder.bumps.addAll(bumps);
+        return builder.build();
+    }
+
     private static boolean isBlack(Texture texture) {
         return texture instanceof ConstantTexture constant && constant.color().isBlack();
     }

@@ -38,7 +38,7 @@ public final class SceneReader {
                 .flatMap(Optional::stream)
                 .toList();
         Map<String, Material> materials = MaterialReader.readAll(root);
-        List<SceneObject> objects = new ObjectReader(root, materials).readAll();
+        List<SceneObject> objects = new ObjectReader(root, materials, problems).readAll();
         Settings settings = SettingsReader.read(root.mappingOrEmpty("settings"));
         root.finish();
         if (problems.hasErrors()) {

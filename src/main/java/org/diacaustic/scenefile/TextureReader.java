@@ -152,9 +152,6 @@ final class TextureReader {
     private static InverseMapping cylindrical(MappingReader in) {
         Vector3 from = in.vector3("from").required();
         Vector3 to = in.vector3("to").required();
-        Vector3 equator = in.direction("equator").or(to.minus(from).length() > 0
-                ? to.minus(from).perpendicular()
-                : Vector3.UNIT_X);
-        return Building.of(in, () -> new CylindricalMapping(from, to, equator));
+        return Building.of(in, () -> new CylindricalMapping(from, to.minus(from)));
     }
 }
