@@ -242,7 +242,9 @@ class ShapeContractTest {
             Vector3 normal = new Vector3(hit.normalX, hit.normalY, hit.normalZ);
             double u = hit.u;
             double v = hit.v;
-            if (Math.min(u, v) < 0.02 || Math.max(u, v) > 0.98) {
+            // Near the border u and v may jump; where a projection grazes the surface a small step is not small.
+            boolean nearBorder = Math.min(u, v) < 0.02 || Math.max(u, v) > 0.98;
+            if (nearBorder || Math.max(tangentU.length(), tangentV.length()) > 10 * sample.size()) {
                 continue;
             }
             assertThat(tangentU.dot(normal)).isCloseTo(0, within(1e-7 * tangentU.length()));

@@ -1,6 +1,7 @@
 package org.diacaustic.shape;
 
 import java.util.function.DoubleFunction;
+import org.diacaustic.math.Bounds;
 import org.diacaustic.math.Transform;
 import org.diacaustic.math.Vector3;
 
@@ -31,6 +32,11 @@ enum ShapeSample {
     FAR_TORUS(k -> new Torus(at(k, 1e5, 2e5, -3e5), new Vector3(1, 2, 3), 3 * k, 0.5 * k)),
     MOVED_TORUS(k -> new Transformed(
             TORUS.make.apply(k), Transform.identity().scale(1, 2, 0.5).rotate(new Vector3(1, -2, 0.3), 77))),
+    ROTATED_QUADRIC(k -> Quadric.of(1, 0.5, 0, 0.5 * k, 1, 0, 0, 1, -0.25 * k, -1 * k * k)),
+    INVERTED_QUADRIC(k -> Quadric.of(-1, 0.5, 0, 0, -1, 0, 0, -2, 0, 3 * k * k)),
+    PARABOLOID(k -> Quadric.of(1, 0, 0, 0, 0, 0, -0.5 * k, 1, 0, 0).within(new Bounds(-k, -k, -k, k, 0.75 * k, k))),
+    HYPERBOLOID(k -> Quadric.of(1, 0, 0, 0, -1, 0, 0, 1, 0, -0.25 * k * k)
+            .within(new Bounds(-3 * k, -2 * k, -3 * k, 3 * k, 2 * k, 3 * k))),
     MOVED_BOX(k -> new Transformed(
             new Box(at(k, -1, 0.25, -0.75), at(k, 0.5, 1, 2)),
             Transform.identity().rotate(new Vector3(1, -2, 0.3), 77).translate(at(k, 100, 200, -300)))),
@@ -87,7 +93,7 @@ enum ShapeSample {
     }
 
     boolean isConvex() {
-        return this != OPEN_CYLINDER && this != OPEN_CONE && !isTorus();
+        return this != OPEN_CYLINDER && this != OPEN_CONE && !isTorus() && this != PARABOLOID && this != HYPERBOLOID;
     }
 
     private boolean isTorus() {
