@@ -12,6 +12,7 @@ final class CompensatedSum {
     }
 
     double value() {
-        return sum + lost;
+        // With an infinite term, what was lost is not a number.
+        return Double.isInfinite(sum) ? sum : sum + lost;
     }
 }

@@ -27,14 +27,12 @@ final class ExrReader {
         this.header = header;
         this.roles = header.roles();
         this.grey = header.isGrey();
-        source.checkSize(header.width(), header.height(), 0);
         long rows = Math.min(header.rowsPerBlock(), header.height());
         long blockBytes = header.width() * header.bytesPerPixel() * rows;
-        long needed = LinearImage.bytes(header.width(), header.height()) + 3 * blockBytes;
-        if (blockBytes > LARGEST_BLOCK || needed > source.limit()) {
-            throw new ImageTooLargeException(header.width(), header.height(), needed, source.limit());
+        this.image = source.newImage(header.width(), header.height(), 3 * blockBytes);
+        if (blockBytes > LARGEST_BLOCK) {
+            throw new IOException("a block of rows is " + blockBytes + " bytes long");
         }
-        this.image = source.newImage(header.width(), header.height(), 0);
         this.rowBytes = image.width() * header.bytesPerPixel();
         this.packed = new byte[(int) blockBytes];
         this.scratch = new byte[(int) blockBytes];

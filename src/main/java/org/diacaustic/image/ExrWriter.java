@@ -18,6 +18,9 @@ import java.util.zip.Deflater;
 final class ExrWriter {
     private static final String[] CHANNELS = {"B", "G", "R"};
 
+    /** As in OpenEXR itself: higher levels gain little on floats. */
+    private static final int COMPRESSION_LEVEL = 4;
+
     private ExrWriter() {}
 
     static void write(LinearImage image, OutputStream out) throws IOException {
@@ -80,7 +83,7 @@ final class ExrWriter {
         int rows = Math.min(Exr.ROWS_PER_ZIP_BLOCK, image.height());
         byte[] raw = new byte[LinearImage.BYTES_PER_PIXEL * image.width() * rows];
         byte[] reordered = new byte[raw.length];
-        Deflater deflater = new Deflater(4);
+        Deflater deflater = new Deflater(COMPRESSION_LEVEL);
         try {
             for (int top = 0; top < image.height(); top += rows) {
                 int length = gather(image, top, Math.min(rows, image.height() - top), raw);

@@ -18,15 +18,15 @@ record ImageSource(InputStream in, long limit) {
     /**
      * An image of the size that the header names, to be called before anything else is allocated.
      *
-     * @param decodingBytesPerPixel what the decoder itself will need, beside the image
+     * @param decodingBytes what the decoder itself will need, beside the image
      */
-    LinearImage newImage(long width, long height, int decodingBytesPerPixel) throws IOException {
-        checkSize(width, height, decodingBytesPerPixel);
+    LinearImage newImage(long width, long height, long decodingBytes) throws IOException {
+        checkSize(width, height, decodingBytes);
         return new LinearImage((int) width, (int) height);
     }
 
     /** As {@link #newImage}, without an image. */
-    void checkSize(long width, long height, int decodingBytesPerPixel) throws IOException {
+    void checkSize(long width, long height, long decodingBytes) throws IOException {
         if (width <= 0 || height <= 0) {
             throw new IOException("the header names a size of " + width + " x " + height + " pixels");
         }
@@ -34,7 +34,7 @@ record ImageSource(InputStream in, long limit) {
             throw new IOException("the header names a size of " + width + " x " + height + " pixels; sides of at most "
                     + ImageFormat.LARGEST_SIDE + " are read");
         }
-        long needed = LinearImage.bytes(width, height) + width * height * decodingBytesPerPixel;
+        long needed = LinearImage.bytes(width, height) + decodingBytes;
         if (needed > limit || !LinearImage.fits(width, height)) {
             throw new ImageTooLargeException(width, height, needed, Math.min(limit, LinearImage.LARGEST_BYTES));
         }

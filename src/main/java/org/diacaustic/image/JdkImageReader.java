@@ -47,8 +47,10 @@ final class JdkImageReader {
             }
         });
         try {
-            reader.setInput(in, true, true);
-            source.checkSize(reader.getWidth(0), reader.getHeight(0), DECODING_BYTES_PER_PIXEL);
+            reader.setInput(in, false, true);
+            long width = reader.getWidth(0);
+            long height = reader.getHeight(0);
+            source.checkSize(width, height, DECODING_BYTES_PER_PIXEL * width * height);
             BufferedImage picture = reader.read(0);
             if (truncation[0] != null) {
                 throw new IOException(truncation[0]);

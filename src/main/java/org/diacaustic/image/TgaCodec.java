@@ -6,6 +6,7 @@ import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferByte;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageReader;
 import javax.imageio.ImageWriteParam;
@@ -15,6 +16,11 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /** Targa files, 24-bit true colour with run lengths, the first row at the top; by TwelveMonkeys ImageIO. */
 final class TgaCodec implements ImageCodec {
+    /**
+     * The end of a version 2 file: no extension area, no developer area, the signature. Without it, the reader fails on
+     * images of so few bytes that it looks for the footer in the header.
+     */
+    private static final byte[] FOOTER = "\0\0\0\0\0\0\0\0TRUEVISION-XFILE.\0".getBytes(StandardCharsets.US_ASCII);
 
     @Override
     public void write(LinearImage image, Exposure exposure, OutputStream out) throws IOException {
@@ -29,6 +35,7 @@ final class TgaCodec implements ImageCodec {
         } finally {
             writer.dispose();
         }
+        out.write(FOOTER);
     }
 
     private static BufferedImage eightBit(LinearImage image, Exposure exposure) {

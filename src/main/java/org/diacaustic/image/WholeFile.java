@@ -4,10 +4,10 @@ import java.io.BufferedOutputStream;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.util.UUID;
 
 /** Files that are seen whole or not at all. */
 final class WholeFile {
@@ -25,13 +25,24 @@ final class WholeFile {
      */
     static void write(Path path, Content content) throws IOException {
         Path target = Files.isSymbolicLink(path) && Files.exists(path) ? path.toRealPath() : path;
-        Path temporary = folderOf(target).resolve("." + target.getFileName() + "." + UUID.randomUUID() + ".tmp");
+        Path temporary = createTemporary(target);
         try {
             writeNew(temporary, content);
             Files.move(temporary, target, StandardCopyOption.ATOMIC_MOVE);
         } catch (Throwable failure) {
             remove(temporary, failure);
             throw failure;
+        }
+    }
+
+    /** An empty file of its own, in the target's folder: several writers do not meet. */
+    private static Path createTemporary(Path target) throws IOException {
+        for (int number = 0; ; number++) {
+            try {
+                return Files.createFile(folderOf(target).resolve("." + target.getFileName() + "." + number + ".tmp"));
+            } catch (FileAlreadyExistsException e) {
+                // Another writer's, or left by one that was killed: the next number is free.
+            }
         }
     }
 
