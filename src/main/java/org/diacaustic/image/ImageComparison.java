@@ -1,4 +1,5 @@
 package org.diacaustic.image;
+import org.diacaustic.math.CompensatedSum;
 
 import java.util.Arrays;
 

@@ -78,13 +78,12 @@ final class ShapeReader {
         boolean clipped = in.has("low") || in.has("high");
         Vector3 low = clipped ? in.vector3("low").required() : null;
         Vector3 high = clipped ? in.vector3("high").required() : null;
-        return Building.of(
-                in,
-                () -> clipped
-                        ? new Quadric(
-                                coefficients,
-                                new Bounds(low.x(), low.y(), low.z(), high.x(), high.y(), high.z()))
-                        : new Quadric(coefficients));
+        return Building.of(in, () -> {
+            Quadric whole = Quadric.of(coefficients);
+            return clipped
+                    ? whole.within(new Bounds(low.x(), low.y(), low.z(), high.x(), high.y(), high.z()))
+                    : whole;
+        });
     }
 
     private static Shape box(MappingReader in) {

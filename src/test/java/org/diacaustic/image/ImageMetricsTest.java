@@ -1,4 +1,5 @@
 package org.diacaustic.image;
+import org.diacaustic.math.CompensatedSum;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
