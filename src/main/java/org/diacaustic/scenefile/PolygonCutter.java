@@ -29,7 +29,9 @@ final class PolygonCutter {
         this.triangles = triangles;
     }
 
-    /** How many polygons had no ear left at some step, which only happens to outlines that cross or touch themselves. */
+    /**
+     * How many polygons were left without an ear, or with a triangle turned over: the outline crosses or touches itself.
+     */
     int uncertainCount() {
         return uncertain;
     }
@@ -118,6 +120,7 @@ final class PolygonCutter {
                 i = (i + 1) % n;
             }
         }
+        certain &= side(rest[0], rest[1], rest[2]) >= 0;
         add(rest[0], rest[1], rest[2]);
         uncertain += certain ? 0 : 1;
     }

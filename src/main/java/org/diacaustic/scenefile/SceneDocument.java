@@ -73,7 +73,7 @@ public final class SceneDocument {
         String source = "-D " + key;
         List<String> path = new ArrayList<>(under.isEmpty() ? List.of() : List.of(under.split("\\.", -1)));
         path.addAll(List.of(key.split("\\.", -1)));
-        if (path.contains("")) {
+        if (path.contains("") || path.size() > YamlParser.MAX_DEPTH) {
             problems.error(Place.of(source), "", "expected a key such as seed or adaptive.depth");
             return;
         }

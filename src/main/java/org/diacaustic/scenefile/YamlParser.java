@@ -13,7 +13,6 @@ import org.diacaustic.scenefile.Node.Mapping;
 import org.diacaustic.scenefile.Node.Scalar;
 import org.diacaustic.scenefile.Node.Sequence;
 import org.snakeyaml.engine.v2.api.LoadSettings;
-import org.snakeyaml.engine.v2.api.lowlevel.Parse;
 import org.snakeyaml.engine.v2.common.Anchor;
 import org.snakeyaml.engine.v2.events.AliasEvent;
 import org.snakeyaml.engine.v2.events.CollectionStartEvent;
@@ -24,6 +23,8 @@ import org.snakeyaml.engine.v2.exceptions.Mark;
 import org.snakeyaml.engine.v2.exceptions.MarkedYamlEngineException;
 import org.snakeyaml.engine.v2.exceptions.ReaderException;
 import org.snakeyaml.engine.v2.exceptions.YamlEngineException;
+import org.snakeyaml.engine.v2.parser.ParserImpl;
+import org.snakeyaml.engine.v2.scanner.StreamReader;
 
 /**
  * Builds nodes from parse events, with every limit checked before anything of that size exists: the event stream is
@@ -71,7 +72,8 @@ final class YamlParser {
                 .setCodePointLimit(Integer.MAX_VALUE)
                 .setBufferSize(Math.min(text.length() + 1, WINDOW))
                 .build();
-        Iterator<Event> events = new Parse(settings).parseString(text).iterator();
+        // Not Parse, the usual way to events: the library's module does not export its package.
+        Iterator<Event> events = new ParserImpl(settings, new StreamReader(settings, text));
         Node root = null;
         int documents = 0;
         while (events.hasNext()) {

@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Random;
 import java.util.stream.Stream;
 import org.diacaustic.scenefile.Problem.Kind;
 import org.junit.jupiter.api.Assertions;
@@ -122,6 +123,42 @@ class SceneDocumentTest {
         Assertions.assertTimeout(Duration.ofSeconds(2), () -> parse(" ".repeat(8_000_000) + "\na: 1"));
 
         assertThat(problems.sorted()).isEmpty();
+    }
+
+    @Test
+    void parse_givenDamagedText_neverThrows() {
+        String sound = """
+                %YAML 1.2
+                ---
+                camera: &c {from: [0, 4, -9], "to\\u0041": 'x', ? k : !!str v}
+                list:
+                  - >-
+                    folded
+                  - *c
+                  - "\\U0001F600 \\x41"
+                  - |
+                    literal # no comment
+                ...
+                """;
+        String spice = "[]{}:,-?!&*#|>'\"%@`\\\t\n \u0000\u0085\ud83dUxu09.<~";
+        Random random = new Random(5);
+        int accepted = 0;
+        for (int trial = 0; trial < 20_000; trial++) {
+            StringBuilder text = new StringBuilder(sound);
+            for (int i = random.nextInt(6); i > 0; i--) {
+                int at = random.nextInt(text.length());
+                text.replace(at, at + random.nextInt(3), "" + spice.charAt(random.nextInt(spice.length())));
+            }
+            Problems found = new Problems();
+            MappingReader root =
+                    SceneDocument.parse("s.yaml", text.toString(), found).root();
+            accepted += found.hasErrors() ? 0 : 1;
+            root.mapping("camera").vector3("from").required();
+            root.texts("list").required();
+            assertThat(root.finish()).isNotEqualTo(found.hasErrors());
+            assertThat(found.toString().lines()).allMatch(line -> line.startsWith("s.yaml:"));
+        }
+        assertThat(accepted).isPositive();
     }
 
     @Test
