@@ -30,10 +30,11 @@ final class CheckCommand implements Callable<Integer> {
             return problems.exitCode();
         }
         RenderPlan.of(file.scene(), file.settings());
-        System.out.println(options.path() + ": no errors; " + file.scene().objects().size() + " objects, "
-                + file.scene().lights().size() + " lights, "
-                + file.scene().camera().width() + " x "
-                + file.scene().camera().height() + " pixels");
+        System.out.println(
+                options.path() + ": no errors; " + file.scene().objects().size() + " objects, "
+                        + file.scene().lights().size() + " lights, "
+                        + file.scene().camera().width() + " x "
+                        + file.scene().camera().height() + " pixels");
         return ExitCode.DONE;
     }
 }

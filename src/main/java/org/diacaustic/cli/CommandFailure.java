@@ -1,7 +1,7 @@
 package org.diacaustic.cli;
 
-/** A failure with its exit code; its message is shown as it stands. */
-final class CommandFailure extends RuntimeException {
+/** A failure with its exit code and one line that says what is wrong. */
+class CommandFailure extends RuntimeException {
     private static final long serialVersionUID = 1;
 
     private final int exitCode;

@@ -28,7 +28,10 @@ final class CompareCommand implements Callable<Integer> {
     @Parameters(index = "1", paramLabel = "B", description = "The reference.")
     private Path reference;
 
-    @Option(names = {"-o", "--output"}, paramLabel = "DIFF.png", description = "Write a picture of the difference.")
+    @Option(
+            names = {"-o", "--output"},
+            paramLabel = "DIFF.png",
+            description = "Write a picture of the difference.")
     private Path output;
 
     @Option(names = "--json", description = "As JSON.")
@@ -51,7 +54,10 @@ final class CompareCommand implements Callable<Integer> {
             ImageFiles.write(difference.picture(), Exposure.fixed(1), output);
             if (!json) {
                 System.out.printf(
-                        Locale.ROOT, "%s: red is brighter, blue darker; full colour at %.4g%n", output, difference.scale());
+                        Locale.ROOT,
+                        "%s: red is brighter, blue darker; full colour at %.4g%n",
+                        output,
+                        difference.scale());
             }
         }
         return ExitCode.DONE;
@@ -74,9 +80,9 @@ final class CompareCommand implements Callable<Integer> {
         if (json) {
             JsonWriter writer = new JsonWriter();
             writer.beginObject();
-            values.forEach(writer::member);
-            counts.forEach(writer::member);
-            writer.endObject();
+            values.forEach(writer::put);
+            counts.forEach(writer::put);
+            writer.end();
             System.out.println(writer);
         } else {
             values.forEach((name, value) -> System.out.printf(Locale.ROOT, "%-14s %.6g%n", name, value));

@@ -23,7 +23,11 @@ final class Failures {
 
     static int execution(Exception failure, CommandLine command, CommandLine.ParseResult parsed) {
         int code = exitCode(failure);
-        System.err.println("diacaustic: " + message(failure, code));
+        if (failure instanceof ProblemsFailure problems) {
+            System.err.println(problems.getMessage());
+        } else {
+            System.err.println("diacaustic: " + message(failure, code));
+        }
         if (isDebugging(parsed)) {
             failure.printStackTrace();
         }
@@ -60,7 +64,9 @@ final class Failures {
         if (failure instanceof NoSuchFileException) {
             return "there is no such file";
         }
-        return failure instanceof AccessDeniedException ? "access is denied" : failure.getClass().getSimpleName();
+        return failure instanceof AccessDeniedException
+                ? "access is denied"
+                : failure.getClass().getSimpleName();
     }
 
     private static String oneLine(String message) {

@@ -15,8 +15,8 @@ record PixelSize(int width, int height) {
         public PixelSize convert(String text) {
             Matcher matcher = FORM.matcher(text);
             if (!matcher.matches()) {
-                throw new TypeConversionException("expected two whole numbers of at least 1, such as 640x480, found '"
-                        + text + "'");
+                throw new TypeConversionException(
+                        "expected two whole numbers of at least 1, such as 640x480, found '" + text + "'");
             }
             return new PixelSize(Integer.parseInt(matcher.group(1)), Integer.parseInt(matcher.group(2)));
         }

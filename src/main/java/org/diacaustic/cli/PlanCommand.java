@@ -30,7 +30,7 @@ final class PlanCommand implements Callable<Integer> {
             JsonWriter writer = new JsonWriter();
             writer.beginObject();
             PlanJson.write(plan, writer);
-            writer.endObject();
+            writer.end();
             System.out.println(writer);
         } else {
             for (Decision decision : plan.decisions()) {

@@ -18,11 +18,11 @@ final class PlanJson {
         json.name(name).beginArray();
         for (Decision decision : decisions) {
             json.beginObject();
-            json.member("part", decision.part());
-            json.member("choice", decision.choice());
-            json.member("reason", decision.reason());
-            json.endObject();
+            json.put("part", decision.part());
+            json.put("choice", decision.choice());
+            json.put("reason", decision.reason());
+            json.end();
         }
-        json.endArray();
+        json.end();
     }
 }

@@ -34,7 +34,10 @@ final class RenderCommand implements Callable<Integer> {
     @Mixin
     private SceneOptions options;
 
-    @Option(names = {"-o", "--output"}, paramLabel = "OUT", description = "Picture: .png .tga .hdr .pfm .exr")
+    @Option(
+            names = {"-o", "--output"},
+            paramLabel = "OUT",
+            description = "Picture: .png .tga .hdr .pfm .exr")
     private Path output;
 
     @Option(names = BESIDE, hidden = true)
@@ -65,7 +68,9 @@ final class RenderCommand implements Callable<Integer> {
         }
         Stopwatch watch = new Stopwatch();
         SceneFile scene = options.read();
-        ImageFormat.of(picture).checkSize(scene.scene().camera().width(), scene.scene().camera().height());
+        ImageFormat.of(picture)
+                .checkSize(
+                        scene.scene().camera().width(), scene.scene().camera().height());
         watch.lap("parse");
         RenderPlan plan = RenderPlan.of(scene.scene(), scene.settings());
         watch.lap("plan");
@@ -100,7 +105,8 @@ final class RenderCommand implements Callable<Integer> {
         Path picture = options.path().resolveSibling(name);
         if (Files.exists(picture) && !ImageFiles.isOurs(picture)) {
             throw new CommandFailure(
-                    ExitCode.FILE, picture + ": is there already and was not made by diacaustic; choose a name with -o");
+                    ExitCode.FILE,
+                    picture + ": is there already and was not made by diacaustic; choose a name with -o");
         }
         return picture;
     }

@@ -64,7 +64,7 @@ final class SceneOptions {
         SceneFile file = read(problems);
         String lines = problems.toString();
         if (problems.hasErrors()) {
-            throw new SceneFailure(problems.exitCode(), lines);
+            throw new ProblemsFailure(problems.exitCode(), lines);
         }
         if (!lines.isEmpty()) {
             System.err.println(lines);

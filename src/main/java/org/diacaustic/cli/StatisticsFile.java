@@ -24,48 +24,48 @@ final class StatisticsFile {
             throws IOException {
         JsonWriter json = new JsonWriter();
         json.beginObject();
-        json.member("seed", plan.settings().seed());
-        json.member("threads", rendering.threads());
-        json.member("complete", rendering.isComplete());
-        json.member("width", rendering.image().width());
-        json.member("height", rendering.image().height());
-        json.member("exposure", exposure.factor());
+        json.put("seed", plan.settings().seed());
+        json.put("threads", rendering.threads());
+        json.put("complete", rendering.isComplete());
+        json.put("width", rendering.image().width());
+        json.put("height", rendering.image().height());
+        json.put("exposure", exposure.factor());
         json.name("plan").beginObject();
         PlanJson.write(plan, json);
-        json.endObject();
+        json.end();
         json.name("seconds").beginObject();
         for (String part : new String[] {"parse", "plan", "preprocess", "build", "render", "write"}) {
-            json.member(part, watch.seconds(part));
+            json.put(part, watch.seconds(part));
         }
-        json.endObject();
+        json.end();
         json.name("counters").beginObject();
         counters(rendering.counters(), json);
-        json.endObject();
+        json.end();
         json.name("energy").beginObject();
         for (String part : new String[] {"emitted", "stored", "absorbed", "escaped", "cut"}) {
-            json.member(part, 0.0);
+            json.put(part, 0.0);
         }
-        json.endObject();
+        json.end();
         json.name("memory").beginObject();
-        json.member("imageBytes", plan.imageBytes());
-        json.member("mapBytes", 0);
-        json.member("peakHeapBytes", peakHeapBytes());
-        json.endObject();
-        json.member("errorEstimate", Double.NaN);
-        json.endObject();
+        json.put("imageBytes", plan.imageBytes());
+        json.put("mapBytes", 0);
+        json.put("peakHeapBytes", peakHeapBytes());
+        json.end();
+        json.put("errorEstimate", Double.NaN);
+        json.end();
         WholeFile.write(path, out -> out.write((json + "\n").getBytes(StandardCharsets.UTF_8)));
     }
 
     private static void counters(Counters counters, JsonWriter json) {
-        json.member("eyeRays", counters.eyeRays());
-        json.member("shadowRays", counters.shadowRays());
-        json.member("reflectionRays", counters.reflectionRays());
-        json.member("refractionRays", counters.refractionRays());
-        json.member("intersectionTests", counters.intersectionTests());
-        json.member("nonFiniteSamples", counters.nonFiniteSamples());
+        json.put("eyeRays", counters.eyeRays());
+        json.put("shadowRays", counters.shadowRays());
+        json.put("reflectionRays", counters.reflectionRays());
+        json.put("refractionRays", counters.refractionRays());
+        json.put("intersectionTests", counters.intersectionTests());
+        json.put("nonFiniteSamples", counters.nonFiniteSamples());
         for (String forward :
                 new String[] {"lightRays", "objectIntersections", "stored", "nodesExamined", "photonsUsed", "cells"}) {
-            json.member(forward, 0);
+            json.put(forward, 0);
         }
     }
 

@@ -1,7 +1,7 @@
 package org.diacaustic.image;
-import org.diacaustic.math.CompensatedSum;
 
 import java.util.Arrays;
+import org.diacaustic.math.CompensatedSum;
 
 /** The sums behind {@link ImageMetrics}, in two passes: the mean of the reference, then the errors, block by block. */
 final class ImageComparison {

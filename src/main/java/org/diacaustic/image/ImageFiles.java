@@ -6,8 +6,6 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
-import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
 
 /** Writes and reads image files. */
@@ -39,18 +37,13 @@ public final class ImageFiles {
      */
     public static void checkWritable(Path path) throws IOException {
         ImageFormat.of(path);
-        Path folder = WholeFile.folderOf(path);
-        if (Files.notExists(folder)) {
-            throw new NoSuchFileException(folder.toString(), null, "the folder does not exist");
-        }
-        if (!Files.isDirectory(folder)) {
-            throw new NotDirectoryException(folder.toString());
-        }
-        if (Files.isDirectory(path)) {
-            throw new FileSystemException(path.toString(), null, "is a folder, not a file");
-        }
-        if (!Files.isWritable(folder)) {
-            throw new FileSystemException(folder.toString(), null, "the folder cannot be written to");
+        WholeFile.checkWritable(path);
+    }
+
+    /** Whether the file is a PNG that {@link #write} made: others are somebody's work, not to be written over unasked. */
+    public static boolean isOurs(Path path) throws IOException {
+        try (InputStream in = Files.newInputStream(path)) {
+            return PngCodec.isSigned(in.readNBytes(PngCodec.SIGNED_HEAD_BYTES));
         }
     }
 

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.zip.CRC32;
 import java.util.zip.Deflater;
 import java.util.zip.DeflaterOutputStream;
@@ -18,6 +19,10 @@ final class PngCodec implements ImageCodec {
     private static final byte TRUE_COLOUR = 2;
     private static final byte PAETH = 4;
     private static final int BYTES_PER_PIXEL = 3;
+    private static final byte[] SOFTWARE = "Software\0Diacaustic".getBytes(StandardCharsets.US_ASCII);
+
+    /** How much of a file {@link #isSigned} wants to see: signature, IHDR, sRGB and the text. */
+    static final int SIGNED_HEAD_BYTES = 8 + (12 + 13) + (12 + 1) + (8 + SOFTWARE.length);
 
     /** Three times as fast as the default level, for 6 % more bytes. */
     private static final int COMPRESSION_LEVEL = 4;
@@ -43,6 +48,12 @@ final class PngCodec implements ImageCodec {
             deflater.end();
         }
         writeChunk(out, "IEND", new byte[0], 0);
+    }
+
+    /** Whether a file that begins so was written here. */
+    static boolean isSigned(byte[] head) {
+        return head.length == SIGNED_HEAD_BYTES
+                && Arrays.equals(head, head.length - SOFTWARE.length, head.length, SOFTWARE, 0, SOFTWARE.length);
     }
 
     private static void writeRows(LinearImage image, Exposure exposure, OutputStream out) throws IOException {

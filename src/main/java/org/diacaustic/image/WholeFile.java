@@ -5,16 +5,20 @@ import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 
 /** Files that are seen whole or not at all. */
-final class WholeFile {
+public final class WholeFile {
     private WholeFile() {}
 
     /** Writes the content of a file. */
-    interface Content {
+    @FunctionalInterface
+    public interface Content {
         void writeTo(OutputStream out) throws IOException;
     }
 
@@ -23,7 +27,7 @@ final class WholeFile {
      * temporary file is removed and the target stays what it was. If the target is a symbolic link, what it points to
      * is replaced.
      */
-    static void write(Path path, Content content) throws IOException {
+    public static void write(Path path, Content content) throws IOException {
         Path target = Files.isSymbolicLink(path) && Files.exists(path) ? path.toRealPath() : path;
         Path temporary = createTemporary(target);
         try {
@@ -54,6 +58,27 @@ final class WholeFile {
             out.flush();
             // Otherwise a power cut after the move could leave an empty file where the old one was.
             file.getFD().sync();
+        }
+    }
+
+    /**
+     * Checks, without changing anything, that {@link #write} can be expected to work.
+     *
+     * @throws IOException if the folder does not exist or cannot be written to, or the path names a folder
+     */
+    public static void checkWritable(Path path) throws IOException {
+        Path folder = folderOf(path);
+        if (Files.notExists(folder)) {
+            throw new NoSuchFileException(folder.toString(), null, "the folder does not exist");
+        }
+        if (!Files.isDirectory(folder)) {
+            throw new NotDirectoryException(folder.toString());
+        }
+        if (Files.isDirectory(path)) {
+            throw new FileSystemException(path.toString(), null, "is a folder, not a file");
+        }
+        if (!Files.isWritable(folder)) {
+            throw new FileSystemException(folder.toString(), null, "the folder cannot be written to");
         }
     }
 

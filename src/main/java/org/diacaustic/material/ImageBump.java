@@ -34,12 +34,9 @@ public final class ImageBump implements BumpMap {
         double alongU = (brightness(hit.u + du, hit.v, scratch) - brightness(hit.u - du, hit.v, scratch)) / (2 * du);
         double alongV = (brightness(hit.u, hit.v + dv, scratch) - brightness(hit.u, hit.v - dv, scratch)) / (2 * dv);
         // The gradient g in the tangent plane with g·(dp/du) = dh/du and g·(dp/dv) = dh/dv.
-        double uu = dot(
-                hit.tangentUX, hit.tangentUY, hit.tangentUZ, hit.tangentUX, hit.tangentUY, hit.tangentUZ);
-        double uv = dot(
-                hit.tangentUX, hit.tangentUY, hit.tangentUZ, hit.tangentVX, hit.tangentVY, hit.tangentVZ);
-        double vv = dot(
-                hit.tangentVX, hit.tangentVY, hit.tangentVZ, hit.tangentVX, hit.tangentVY, hit.tangentVZ);
+        double uu = dot(hit.tangentUX, hit.tangentUY, hit.tangentUZ, hit.tangentUX, hit.tangentUY, hit.tangentUZ);
+        double uv = dot(hit.tangentUX, hit.tangentUY, hit.tangentUZ, hit.tangentVX, hit.tangentVY, hit.tangentVZ);
+        double vv = dot(hit.tangentVX, hit.tangentVY, hit.tangentVZ, hit.tangentVX, hit.tangentVY, hit.tangentVZ);
         double determinant = uu * vv - uv * uv;
         if (!(determinant > 0)) {
             return;

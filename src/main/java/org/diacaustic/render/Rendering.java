@@ -1,5 +1,6 @@
 package org.diacaustic.render;
 
+import java.util.Optional;
 import org.diacaustic.image.LinearImage;
 
 /**
@@ -18,5 +19,15 @@ public record Rendering(
     /** Whether the whole picture was rendered, and not cancelled. */
     public boolean isComplete() {
         return tilesDone == tilesTotal;
+    }
+
+    /** How many samples were infinite or not a number, and where the first was; nothing if all was well. */
+    public Optional<String> nonFiniteReport() {
+        if (counters.nonFiniteSamples() == 0) {
+            return Optional.empty();
+        }
+        long pixel = counters.firstNonFinitePixel;
+        return Optional.of(counters.nonFiniteSamples() + " samples were infinite or not a number and are left out, the"
+                + " first at pixel " + pixel % image.width() + ", " + pixel / image.width());
     }
 }

@@ -16,15 +16,14 @@ import org.diacaustic.math.Vector3;
 
 /** Reads one of the {@code lights}. */
 final class LightReader {
-    private static final Map<String, Function<MappingReader, Light>> KINDS =
-            new Kinds<Function<MappingReader, Light>>()
-                    .with("point", LightReader::point)
-                    .with("spot", LightReader::spot)
-                    .with("directional", LightReader::directional)
-                    .with("disc", LightReader::disc)
-                    .with("rectangle", LightReader::rectangle)
-                    .with("sphere", LightReader::sphere)
-                    .map();
+    private static final Map<String, Function<MappingReader, Light>> KINDS = new Kinds<Function<MappingReader, Light>>()
+            .with("point", LightReader::point)
+            .with("spot", LightReader::spot)
+            .with("directional", LightReader::directional)
+            .with("disc", LightReader::disc)
+            .with("rectangle", LightReader::rectangle)
+            .with("sphere", LightReader::sphere)
+            .map();
 
     private static final Map<String, Falloff> FALLOFFS = new Kinds<Falloff>()
             .with("inverse-square", new Falloff.InverseSquare())
@@ -48,8 +47,10 @@ final class LightReader {
     private static Light spot(MappingReader in) {
         Vector3 at = in.vector3("at").required();
         Vector3 direction = in.direction("direction").required();
-        double outer = in.number("outer-angle").above(0).atMost(180).in("degrees").required();
-        double inner = in.number("inner-angle").atLeast(0).atMost(180).in("degrees").or(outer);
+        double outer =
+                in.number("outer-angle").above(0).atMost(180).in("degrees").required();
+        double inner =
+                in.number("inner-angle").atLeast(0).atMost(180).in("degrees").or(outer);
         Color intensity = in.color("intensity").atLeast(0).required();
         Falloff falloff = falloff(in);
         double exponent = highlightExponent(in);

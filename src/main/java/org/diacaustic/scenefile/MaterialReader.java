@@ -37,7 +37,8 @@ final class MaterialReader {
                     return medium;
                 })
                 .orElse(Medium.VACUUM);
-        List<BumpMap> waves = in.mappings("waves").stream().map(MaterialReader::wave).toList();
+        List<BumpMap> waves =
+                in.mappings("waves").stream().map(MaterialReader::wave).toList();
         List<BumpMap> ripples =
                 in.mappings("ripples").stream().map(MaterialReader::ripple).toList();
         List<BumpMap> images = in.optionalMapping("bump-image").map(MaterialReader::imageBump).stream()

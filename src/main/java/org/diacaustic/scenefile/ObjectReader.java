@@ -27,9 +27,7 @@ final class ObjectReader {
     ObjectReader(MappingReader root, Map<String, Material> materials, Problems problems) {
         this.root = root;
         this.materials = materials;
-        new ShapeReader(problems)
-                .kinds()
-                .forEach((kind, shape) -> kinds.put(kind, in -> object(in, kind, shape)));
+        new ShapeReader(problems).kinds().forEach((kind, shape) -> kinds.put(kind, in -> object(in, kind, shape)));
     }
 
     List<SceneObject> readAll() {
@@ -70,9 +68,7 @@ final class ObjectReader {
         }
         String name = in.text("material").required();
         if (!name.isEmpty() && !materials.containsKey(name)) {
-            in.error(
-                    "material",
-                    "there is no material '" + name + "'" + Suggestions.forWord(name, materials.keySet()));
+            in.error("material", "there is no material '" + name + "'" + Suggestions.forWord(name, materials.keySet()));
         }
         return materials.get(name);
     }

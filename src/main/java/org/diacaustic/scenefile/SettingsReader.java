@@ -6,10 +6,8 @@ import org.diacaustic.scene.Settings;
 
 /** Reads {@code settings}: {@code thesis: true} sets all others to the thesis' ways, and each may then be set back. */
 final class SettingsReader {
-    private static final Map<String, Boolean> TOTAL_INTERNAL_REFLECTION = new Kinds<Boolean>()
-            .with("reflect", false)
-            .with("drop", true)
-            .map();
+    private static final Map<String, Boolean> TOTAL_INTERNAL_REFLECTION =
+            new Kinds<Boolean>().with("reflect", false).with("drop", true).map();
 
     private SettingsReader() {}
 

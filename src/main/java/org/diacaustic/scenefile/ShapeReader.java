@@ -80,9 +80,7 @@ final class ShapeReader {
         Vector3 high = clipped ? in.vector3("high").required() : null;
         return Building.of(in, () -> {
             Quadric whole = Quadric.of(coefficients);
-            return clipped
-                    ? whole.within(new Bounds(low.x(), low.y(), low.z(), high.x(), high.y(), high.z()))
-                    : whole;
+            return clipped ? whole.within(new Bounds(low.x(), low.y(), low.z(), high.x(), high.y(), high.z())) : whole;
         });
     }
 

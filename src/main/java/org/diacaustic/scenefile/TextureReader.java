@@ -25,21 +25,21 @@ final class TextureReader {
     /** Larger pictures are refused before they are decoded. */
     private static final long LARGEST_IMAGE_BYTES = 512L << 20;
 
-    private static final Map<String, Function<MappingReader, Texture>> KINDS =
-            new Kinds<Function<MappingReader, Texture>>()
-                    .with("checker", TextureReader::checker)
-                    .with("stripes", TextureReader::stripes)
-                    .with("marble", TextureReader::marble)
-                    .with("clouds", TextureReader::clouds)
-                    .with("image", TextureReader::image)
-                    .map();
+    private static final Map<String, Function<MappingReader, Texture>> KINDS = new Kinds<
+                    Function<MappingReader, Texture>>()
+            .with("checker", TextureReader::checker)
+            .with("stripes", TextureReader::stripes)
+            .with("marble", TextureReader::marble)
+            .with("clouds", TextureReader::clouds)
+            .with("image", TextureReader::image)
+            .map();
 
-    private static final Map<String, Function<MappingReader, InverseMapping>> MAPPINGS =
-            new Kinds<Function<MappingReader, InverseMapping>>()
-                    .with("planar", TextureReader::planar)
-                    .with("spherical", TextureReader::spherical)
-                    .with("cylindrical", TextureReader::cylindrical)
-                    .map();
+    private static final Map<String, Function<MappingReader, InverseMapping>> MAPPINGS = new Kinds<
+                    Function<MappingReader, InverseMapping>>()
+            .with("planar", TextureReader::planar)
+            .with("spherical", TextureReader::spherical)
+            .with("cylindrical", TextureReader::cylindrical)
+            .map();
 
     private TextureReader() {}
 
@@ -70,8 +70,7 @@ final class TextureReader {
         Color[] colors = colors(in);
         Vector3 direction = in.direction("direction").or(Vector3.UNIT_X);
         double length = in.number("length").above(0).required();
-        return Building.of(
-                in, () -> new PatternTexture(new Pattern.Stripes(direction, length), colors[0], colors[1]));
+        return Building.of(in, () -> new PatternTexture(new Pattern.Stripes(direction, length), colors[0], colors[1]));
     }
 
     private static Texture marble(MappingReader in) {
@@ -89,7 +88,8 @@ final class TextureReader {
 
     private static Color[] colors(MappingReader in) {
         return new Color[] {
-            in.color("first").atLeast(0).or(Color.WHITE), in.color("second").atLeast(0).or(Color.BLACK)
+            in.color("first").atLeast(0).or(Color.WHITE),
+            in.color("second").atLeast(0).or(Color.BLACK)
         };
     }
 

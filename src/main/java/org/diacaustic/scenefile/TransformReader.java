@@ -9,12 +9,12 @@ import org.diacaustic.math.Vector3;
 
 /** Reads {@code transform}: a list of steps, done in the order in which they stand. */
 final class TransformReader {
-    private static final Map<String, Function<MappingReader, Transform>> STEPS =
-            new Kinds<Function<MappingReader, Transform>>()
-                    .with("scale", TransformReader::scale)
-                    .with("rotate", TransformReader::rotate)
-                    .with("translate", TransformReader::translate)
-                    .map();
+    private static final Map<String, Function<MappingReader, Transform>> STEPS = new Kinds<
+                    Function<MappingReader, Transform>>()
+            .with("scale", TransformReader::scale)
+            .with("rotate", TransformReader::rotate)
+            .with("translate", TransformReader::translate)
+            .map();
 
     private TransformReader() {}
 

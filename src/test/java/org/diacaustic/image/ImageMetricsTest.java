@@ -1,11 +1,11 @@
 package org.diacaustic.image;
-import org.diacaustic.math.CompensatedSum;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import org.assertj.core.data.Offset;
+import org.diacaustic.math.CompensatedSum;
 import org.junit.jupiter.api.Test;
 
 class ImageMetricsTest {
