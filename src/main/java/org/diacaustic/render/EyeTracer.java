@@ -1,0 +1,248 @@
+package org.diacaustic.render;
+
+import org.diacaustic.light.Light;
+import org.diacaustic.material.Material;
+import org.diacaustic.material.Medium;
+import org.diacaustic.material.Scattering;
+import org.diacaustic.material.Surface;
+import org.diacaustic.material.TransportMode;
+import org.diacaustic.math.Ray;
+import org.diacaustic.math.Rgb;
+import org.diacaustic.math.SampleStream;
+import org.diacaustic.scene.MediumStack;
+import org.diacaustic.scene.SceneIndex;
+import org.diacaustic.scene.Settings;
+import org.diacaustic.shape.Hit;
+import org.diacaustic.shape.Shape;
+
+/**
+ * Follows eye rays: I = A + Σ(D + S) + R + T at every hit [Thesis 1.3]. Owned by one task, used again for every ray;
+ * after its arrays have grown to the depth of the scene it allocates nothing.
+ */
+final class EyeTracer {
+    /** Directions flatter than this to a surface do not enlarge the error of a departure any more. */
+    private static final double FLATTEST = 0x1p-20;
+
+    private final RenderPlan plan;
+    private final SceneIndex scene;
+    private final Settings settings;
+    private final DirectLight directLight;
+    private final PendingRays pending;
+    private final Counters counters = new Counters();
+    private final SampleStream random = new SampleStream();
+
+    private final Ray ray = new Ray();
+    private final Hit hit = new Hit();
+    private final Surface surface = new Surface();
+    private final Scattering scattering = new Scattering();
+    private final MediumStack media;
+    private final Rgb throughput = new Rgb();
+    private final Rgb carried = new Rgb();
+    private final Rgb glow = new Rgb();
+    private final Rgb radiance = new Rgb();
+
+    EyeTracer(RenderPlan plan) {
+        this.plan = plan;
+        this.scene = plan.index();
+        this.settings = plan.settings();
+        this.pending = new PendingRays(scene);
+        this.media = new MediumStack(scene);
+        this.directLight = new DirectLight(plan, counters, random);
+    }
+
+    /** The ray to aim before {@link #trace}. */
+    Ray ray() {
+        return ray;
+    }
+
+    /** The random numbers of the sample; started by the caller. */
+    SampleStream random() {
+        return random;
+    }
+
+    /** Forgets what the last task taught about blockers, so that counters do not depend on the order of tasks. */
+    void startTask() {
+        directLight.startTask();
+    }
+
+    /** What was counted since the tracer was made. */
+    Counters counters() {
+        counters.intersectionTests = ray.tests + directLight.tests();
+        return counters;
+    }
+
+    /** The radiance that arrives along the aimed ray, valid until the next call. */
+    Rgb trace() {
+        counters.eyeRays++;
+        radiance.set(0, 0, 0);
+        carried.set(1, 1, 1);
+        pending.clear();
+        push(
+                        ray.originX,
+                        ray.originY,
+                        ray.originZ,
+                        ray.directionX,
+                        ray.directionY,
+                        ray.directionZ,
+                        0,
+                        SceneIndex.NONE,
+                        0,
+                        0)
+                .copyFrom(plan.mediaAtEye());
+        while (!pending.isEmpty()) {
+            pending.pop(ray, throughput, media);
+            follow(pending.depth(), pending.object(), pending.primitive());
+        }
+        return radiance;
+    }
+
+    private void follow(int depth, int fromObject, int fromPrimitive) {
+        int object = scene.nearest(ray, fromObject, fromPrimitive);
+        boolean seesLight = seesLight();
+        absorb(media.current(), ray.tMax);
+        if (seesLight) {
+            radiance.addProduct(throughput, glow);
+        } else if (object == SceneIndex.NONE) {
+            glow.set(plan.scene().background());
+            radiance.addProduct(throughput, glow);
+        } else {
+            arrive(object, depth);
+        }
+    }
+
+    /** Whether a light that can be seen lies before everything else; sets its radiance. */
+    private boolean seesLight() {
+        boolean seen = false;
+        Light[] visible = plan.visibleLights();
+        ray.leaving = Ray.FREE;
+        for (Light light : visible) {
+            seen |= light.emitsAlong(ray, glow);
+        }
+        return seen;
+    }
+
+    private void absorb(Medium medium, double distance) {
+        if (medium.absorbs()) {
+            throughput.multiply(
+                    Medium.transmittance(medium.absorption().red(), distance),
+                    Medium.transmittance(medium.absorption().green(), distance),
+                    Medium.transmittance(medium.absorption().blue(), distance));
+        }
+    }
+
+    private void arrive(int object, int depth) {
+        Shape shape = scene.object(object).shape();
+        hit.take(ray);
+        shape.complete(ray, hit);
+        double along = ray.directionX * hit.normalX + ray.directionY * hit.normalY + ray.directionZ * hit.normalZ;
+        int side = along < 0 ? 1 : -1;
+        boolean opaque = scene.isOpaque(object);
+        if (!opaque) {
+            media.lookAt(object, side > 0);
+            if (!media.isVisible()) {
+                media.cross(object, side > 0);
+                carried.set(throughput);
+                push(
+                                hit.x,
+                                hit.y,
+                                hit.z,
+                                ray.directionX,
+                                ray.directionY,
+                                ray.directionZ,
+                                depth,
+                                object,
+                                hit.primitive,
+                                departureError(along))
+                        .copyFrom(media);
+                return;
+            }
+        }
+        Material material = scene.object(object).material();
+        if (material.needsMap()) {
+            shape.inverseMap(hit);
+        }
+        material.evaluate(hit, surface);
+        scattering.evaluate(
+                settings.scatterRules(),
+                TransportMode.RADIANCE,
+                ray,
+                hit,
+                surface,
+                side,
+                opaque ? 1 : media.near().indexOfRefraction(),
+                opaque ? 1 : media.far().indexOfRefraction());
+        addAmbient();
+        directLight.add(object, side, hit, surface, scattering, media, throughput, radiance);
+        if (depth < settings.maxDepth()) {
+            goOn(object, side, depth, departureError(along));
+        }
+    }
+
+    private void addAmbient() {
+        double share = plan.diffuseFactor();
+        radiance.add(
+                throughput.red * surface.diffuse.red * surface.ambient.red * share,
+                throughput.green * surface.diffuse.green * surface.ambient.green * share,
+                throughput.blue * surface.diffuse.blue * surface.ambient.blue * share);
+    }
+
+    /** Leaves the mirrored and the refracted ray for later, unless they carry too little. */
+    private void goOn(int object, int side, int depth, double error) {
+        if (carries(scattering.reflectance)) {
+            counters.reflectionRays++;
+            push(
+                            hit.x,
+                            hit.y,
+                            hit.z,
+                            scattering.reflectedX,
+                            scattering.reflectedY,
+                            scattering.reflectedZ,
+                            depth + 1,
+                            object,
+                            hit.primitive,
+                            error)
+                    .copyFrom(media);
+        }
+        if (carries(scattering.transmittance)) {
+            counters.refractionRays++;
+            MediumStack beyond = push(
+                    hit.x,
+                    hit.y,
+                    hit.z,
+                    scattering.transmittedX,
+                    scattering.transmittedY,
+                    scattering.transmittedZ,
+                    depth + 1,
+                    object,
+                    hit.primitive,
+                    error);
+            beyond.copyFrom(media);
+            beyond.cross(object, side > 0);
+        }
+    }
+
+    /** Sets what a continuation carries; a value that is not a number goes on, so that it is seen and counted. */
+    private boolean carries(Rgb fraction) {
+        carried.set(throughput).multiply(fraction);
+        double largest = carried.largest();
+        return !(largest <= 0) && !(largest < settings.minimumThroughput());
+    }
+
+    private MediumStack push(
+            double ox,
+            double oy,
+            double oz,
+            double dx,
+            double dy,
+            double dz,
+            int depth,
+            int fromObject,
+            int fromPrimitive,
+            double error) {
+        return pending.push(ox, oy, oz, dx, dy, dz, carried, depth, fromObject, fromPrimitive, error);
+    }
+
+    private double departureError(double along) {
+        return 2 * hit.pointError / Math.max(Math.abs(along), FLATTEST);
+    }
+}

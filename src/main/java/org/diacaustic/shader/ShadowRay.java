@@ -1,0 +1,92 @@
+package org.diacaustic.shader;
+
+import org.diacaustic.light.LightSample;
+import org.diacaustic.math.Dielectric;
+import org.diacaustic.math.Ray;
+import org.diacaustic.scene.MediumStack;
+import org.diacaustic.scene.SceneIndex;
+import org.diacaustic.shape.Hit;
+
+/**
+ * The straight line from a lit point to a light, with what a shading model needs to follow it. Mutable, owned by one
+ * task.
+ *
+ * <p>It starts at the lit point, because there it is known exactly which primitive must be left out; shading models
+ * that care put what it crosses into the order in which the light meets it.
+ */
+public final class ShadowRay {
+    private static final int NO_BLOCKER = SceneIndex.NONE;
+
+    final SceneIndex scene;
+    final Ray ray = new Ray();
+    final MediumStack media;
+    final AnyBlocker anyBlocker = new AnyBlocker(this);
+    final Dielectric dielectric = new Dielectric();
+    final CrossingCollector collector = new CrossingCollector(this);
+
+    private int fromObject;
+    private int fromPrimitive;
+    private int light;
+    private final int[] lastBlocker;
+    private final boolean remembersBlockers;
+
+    /**
+     * @param lights how many lights the scene has
+     * @param remembersBlockers whether the object that last stopped a light's ray is asked first [Thesis 3.2.1]
+     */
+    public ShadowRay(SceneIndex scene, int lights, boolean remembersBlockers) {
+        this.scene = scene;
+        this.media = new MediumStack(scene);
+        this.lastBlocker = new int[lights];
+        this.remembersBlockers = remembersBlockers;
+        forgetBlockers();
+    }
+
+    /** Forgets which objects stopped light last: at the start of each task, so that counters depend on nothing else. */
+    public void forgetBlockers() {
+        java.util.Arrays.fill(lastBlocker, NO_BLOCKER);
+    }
+
+    /**
+     * Aims from a hit at a light.
+     *
+     * @param error how far the hit may lie off its surface, along the line
+     * @param around the media on the lit side of the hit
+     */
+    public void aim(int lightNumber, Hit from, int object, double error, LightSample sample, MediumStack around) {
+        light = lightNumber;
+        fromObject = object;
+        fromPrimitive = from.primitive;
+        ray.set(from.x, from.y, from.z, sample.directionX, sample.directionY, sample.directionZ);
+        ray.tMax = sample.distance;
+        ray.departureError = error;
+        media.copyFrom(around);
+    }
+
+    /** The tests made so far. */
+    public long tests() {
+        return ray.tests + collector.tests();
+    }
+
+    /** Lets the visitor look at everything that may lie on the line; returns whether it stopped. */
+    boolean visit(SceneIndex.Visitor visitor) {
+        return scene.visit(ray, fromObject, fromPrimitive, visitor);
+    }
+
+    /** Asks the object that stopped this light last. */
+    boolean isStoppedByLastBlocker() {
+        int blocker = lastBlocker[light];
+        if (!remembersBlockers || blocker == NO_BLOCKER) {
+            return false;
+        }
+        ray.leaving = blocker == fromObject ? fromPrimitive : Ray.FREE;
+        double length = ray.tMax;
+        boolean stopped = scene.object(blocker).shape().occludes(ray);
+        ray.tMax = length;
+        return stopped;
+    }
+
+    void remember(int blocker) {
+        lastBlocker[light] = blocker;
+    }
+}
