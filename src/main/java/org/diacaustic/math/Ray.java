@@ -52,10 +52,13 @@ public final class Ray {
     public double inverseZ;
 
     /** Where the hierarchies of boxes that this ray is in keep their open nodes; see {@link #stackTop}. */
-    public int[] stack = new int[64];
+    public int[] stack = new int[128];
 
     /** The entry distances of the nodes in {@link #stack}. */
-    public double[] stackDistance = new double[64];
+    public float[] stackDistance = new float[128];
+
+    /** What a hierarchy keeps beside {@link #stackDistance} that does not fit into floats. */
+    public double[] stackFrame = new double[128];
 
     /** How many entries of the stack are in use. Nested hierarchies use it one above the other. */
     public int stackTop;
@@ -111,6 +114,7 @@ public final class Ray {
             int size = Math.max(2 * stack.length, stackTop + entries);
             stack = java.util.Arrays.copyOf(stack, size);
             stackDistance = java.util.Arrays.copyOf(stackDistance, size);
+            stackFrame = java.util.Arrays.copyOf(stackFrame, size);
         }
     }
 
