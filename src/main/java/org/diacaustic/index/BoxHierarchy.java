@@ -185,8 +185,7 @@ public final class BoxHierarchy {
      */
     private static void setSlabs(float[] frame, int place, double inverse, double start, double origin) {
         double offset = -start * inverse;
-        double error =
-                Math.abs(inverse) * (Math.abs(start) * FLOAT_ERROR + Math.abs(origin) * ORIGIN_ERROR);
+        double error = Math.abs(inverse) * (Math.abs(start) * FLOAT_ERROR + Math.abs(origin) * ORIGIN_ERROR);
         frame[place] = (float) inverse;
         frame[place + 1] = (float) (offset - error);
         frame[place + 2] = (float) (offset + error);

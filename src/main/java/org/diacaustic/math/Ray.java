@@ -12,6 +12,9 @@ public final class Ray {
     /** The value of {@link #leaving} of a ray that starts in free space. */
     public static final int FREE = -1;
 
+    /** How many errors of its start a ray may need to get off a surface that it leaves at a flat angle. */
+    private static final double ROUNDING_ERRORS = 0x1p12;
+
     public double originX;
     public double originY;
     public double originZ;
@@ -89,11 +92,12 @@ public final class Ray {
     }
 
     /**
-     * The smallest t that a shape may report which knows nothing better: beyond the rounding error of the start if the
-     * ray leaves this very shape, 0 otherwise. Shapes that can leave out their starting point exactly do so instead.
+     * The smallest t for a shape that cannot tell which of its points the ray leaves: well beyond the rounding error of
+     * the start if the ray leaves this very shape, 0 otherwise. It lets such a shape be used at any scale; shapes that
+     * know better leave out exactly their starting point.
      */
     public double nearest() {
-        return leaving == FREE ? 0 : departureError;
+        return leaving == FREE ? 0 : ROUNDING_ERRORS * departureError;
     }
 
     /** Notes a nearer hit. */
