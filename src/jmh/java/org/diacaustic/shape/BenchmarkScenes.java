@@ -59,7 +59,7 @@ final class BenchmarkScenes {
 
     private static double[] cameraRays(Bounds bounds) {
         Vector3 centre = bounds.centre();
-        Vector3 eye = centre.plus(new Vector3(0.5, 1.2, -1.6).times(1.3 * bounds.radius()));
+        Vector3 eye = centre.plus(new Vector3(0.5, 1.2, -1.6).times(bounds.radius()));
         Vector3 forward = centre.minus(eye).normalized();
         Vector3 right = Vector3.UNIT_Y.cross(forward).normalized();
         Vector3 up = forward.cross(right);
@@ -72,7 +72,7 @@ final class BenchmarkScenes {
                     rays,
                     i,
                     eye,
-                    forward.plus(right.times(0.8 * x)).plus(up.times(0.8 * y)).normalized());
+                    forward.plus(right.times(0.6 * x)).plus(up.times(0.6 * y)).normalized());
         }
         return rays;
     }

@@ -6,30 +6,24 @@ import org.diacaustic.math.Rgb;
 
 /**
  * A light with an extent: a surface that sends the same radiance into all directions of its bright side. For direct
- * light it is many points of intensity radiance · cosθ · dA, where θ is the angle at the light.
+ * light it is many points of intensity radiance · cosθ · dA, where θ is the angle at the light. It can be seen, in mirrors
+ * too, so it makes no highlights: those stand for the size of lights that have none.
  */
 abstract class AreaLight implements Light {
     private final Color radiance;
     private final Falloff falloff;
-    private final double highlightExponent;
     private final int sampleCount;
 
     /** @param radiance in W·m⁻²·sr⁻¹ */
-    AreaLight(Color radiance, Falloff falloff, double highlightExponent, int sampleCount) {
+    AreaLight(Color radiance, Falloff falloff, int sampleCount) {
         this.radiance = Emission.checked(radiance, "radiance");
         this.falloff = falloff;
-        this.highlightExponent = Emission.checkedExponent(highlightExponent);
         this.sampleCount = Emission.checkedSamples(sampleCount);
     }
 
     @Override
     public final int sampleCount() {
         return sampleCount;
-    }
-
-    @Override
-    public final double highlightExponent() {
-        return highlightExponent;
     }
 
     @Override

@@ -21,9 +21,8 @@ public final class FlatLight extends AreaLight {
             boolean round,
             Color radiance,
             Falloff falloff,
-            double highlightExponent,
             int sampleCount) {
-        super(radiance, falloff, highlightExponent, sampleCount);
+        super(radiance, falloff, sampleCount);
         this.centre = centre;
         this.sideU = sideU;
         this.sideV = sideV;
@@ -39,33 +38,19 @@ public final class FlatLight extends AreaLight {
 
     /** A disc that faces along {@code normal}. */
     public static FlatLight disc(
-            Vector3 centre,
-            Vector3 normal,
-            double radius,
-            Color radiance,
-            Falloff falloff,
-            double highlightExponent,
-            int sampleCount) {
+            Vector3 centre, Vector3 normal, double radius, Color radiance, Falloff falloff, int sampleCount) {
         Vector3 unit = normal.normalized();
         Vector3 u = unit.perpendicular();
         Vector3 v = unit.cross(u);
-        return new FlatLight(
-                centre, u.times(radius), v.times(radius), true, radiance, falloff, highlightExponent, sampleCount);
+        return new FlatLight(centre, u.times(radius), v.times(radius), true, radiance, falloff, sampleCount);
     }
 
     /** The parallelogram corner, corner + edgeU, corner + edgeU + edgeV, corner + edgeV; it faces along edgeU × edgeV. */
     public static FlatLight rectangle(
-            Vector3 corner,
-            Vector3 edgeU,
-            Vector3 edgeV,
-            Color radiance,
-            Falloff falloff,
-            double highlightExponent,
-            int sampleCount) {
+            Vector3 corner, Vector3 edgeU, Vector3 edgeV, Color radiance, Falloff falloff, int sampleCount) {
         Vector3 halfU = edgeU.times(0.5);
         Vector3 halfV = edgeV.times(0.5);
-        return new FlatLight(
-                corner.plus(halfU).plus(halfV), halfU, halfV, false, radiance, falloff, highlightExponent, sampleCount);
+        return new FlatLight(corner.plus(halfU).plus(halfV), halfU, halfV, false, radiance, falloff, sampleCount);
     }
 
     @Override

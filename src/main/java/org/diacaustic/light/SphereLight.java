@@ -12,9 +12,8 @@ public final class SphereLight extends AreaLight {
     private final Vector3 centre;
     private final double radius;
 
-    public SphereLight(
-            Vector3 centre, double radius, Color radiance, Falloff falloff, double highlightExponent, int sampleCount) {
-        super(radiance, falloff, highlightExponent, sampleCount);
+    public SphereLight(Vector3 centre, double radius, Color radiance, Falloff falloff, int sampleCount) {
+        super(radiance, falloff, sampleCount);
         this.sphere = new Sphere(centre, radius);
         this.centre = centre;
         this.radius = radius;

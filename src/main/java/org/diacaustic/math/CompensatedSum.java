@@ -19,7 +19,8 @@ public final class CompensatedSum {
         second += lostAgain;
     }
 
+    /** The sum; infinite or not a number if that is what the plain sum is. */
     public double value() {
-        return sum + (first + second);
+        return Double.isFinite(sum) ? sum + (first + second) : sum;
     }
 }

@@ -78,15 +78,17 @@ public final class Quartic {
                 to = x;
             }
             double slope = Math.fma(Math.fma(Math.fma(4 * a, x, 3 * b), x, 2 * c), x, d);
-            double next = x - y / slope;
-            // A Newton step that leaves the bracket, or that shrinks too slowly, is replaced by halving it.
-            if (!(next > from && next < to) || Math.abs(next - x) > lastStep / 2) {
-                next = from + (to - from) / 2;
-            }
-            lastStep = Math.abs(next - x);
-            if (next == x || next <= from || next >= to) {
+            double newton = x - y / slope;
+            if (y == 0 || newton == x) {
                 break;
             }
+            // A Newton step that leaves the bracket, or that shrinks too slowly, is replaced by halving it.
+            boolean trusted = newton > from && newton < to && Math.abs(newton - x) <= lastStep / 2;
+            double next = trusted ? newton : from + (to - from) / 2;
+            if (next <= from || next >= to) {
+                break;
+            }
+            lastStep = Math.abs(next - x);
             x = next;
         }
         roots[count] = x;

@@ -12,8 +12,6 @@ import org.diacaustic.shape.Hit;
 
 /** Σ(D + S): what the lights add at a hit directly, diffusely and as highlights [Thesis 1.3, 2.1, 3.2]. */
 final class DirectLight {
-    private static final double FLATTEST = 0x1p-20;
-
     private final RenderPlan plan;
     private final Light[] lights;
     private final ShadowRay shadow;
@@ -75,14 +73,12 @@ final class DirectLight {
 
     /** Follows the straight line to the sample, if it is above the surface. */
     private boolean reaches(int light, int object, int side, Hit hit, MediumStack media) {
-        double height = side * cosine(hit.normalX, hit.normalY, hit.normalZ);
-        boolean above = height > 0;
+        boolean above = side * cosine(hit.normalX, hit.normalY, hit.normalZ) > 0;
         if (!above && !plan.settings().usesListOrder()) {
             return false;
         }
         counters.shadowRays++;
-        double error = 2 * hit.pointError / Math.max(Math.abs(height), FLATTEST);
-        shadow.aim(light, hit, object, error, sample, media);
+        shadow.aim(light, hit, object, sample, media);
         return plan.shader().transmit(shadow, arrives) && above;
     }
 

@@ -20,9 +20,6 @@ import org.diacaustic.shape.Shape;
  * after its arrays have grown to the depth of the scene it allocates nothing.
  */
 final class EyeTracer {
-    /** Directions flatter than this to a surface do not enlarge the error of a departure any more. */
-    private static final double FLATTEST = 0x1p-20;
-
     private final RenderPlan plan;
     private final SceneIndex scene;
     private final Settings settings;
@@ -152,7 +149,7 @@ final class EyeTracer {
                                 depth,
                                 object,
                                 hit.primitive,
-                                departureError(along))
+                                hit.pointError)
                         .copyFrom(media);
                 return;
             }
@@ -174,7 +171,7 @@ final class EyeTracer {
         addAmbient();
         directLight.add(object, side, hit, surface, scattering, media, throughput, radiance);
         if (depth < settings.maxDepth()) {
-            goOn(object, side, depth, departureError(along));
+            goOn(object, side, depth, hit.pointError);
         }
     }
 
@@ -240,9 +237,5 @@ final class EyeTracer {
             int fromPrimitive,
             double error) {
         return pending.push(ox, oy, oz, dx, dy, dz, carried, depth, fromObject, fromPrimitive, error);
-    }
-
-    private double departureError(double along) {
-        return 2 * hit.pointError / Math.max(Math.abs(along), FLATTEST);
     }
 }

@@ -103,7 +103,7 @@ public final class Settings {
         private String shader = AUTO;
         private int samples = 1;
         private int maxDepth = 24;
-        private double minimumThroughput = 1e-4;
+        private double minimumThroughput = 0x1p-12;
         private long seed = 1;
         private double exposure = Double.NaN;
         private boolean fresnel = true;

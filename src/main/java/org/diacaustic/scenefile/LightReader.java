@@ -75,9 +75,8 @@ final class LightReader {
         double radius = in.number("radius").above(0).required();
         Color radiance = in.color("radiance").atLeast(0).required();
         Falloff falloff = falloff(in);
-        double exponent = highlightExponent(in);
         int samples = samples(in);
-        return Building.of(in, () -> FlatLight.disc(at, normal, radius, radiance, falloff, exponent, samples));
+        return Building.of(in, () -> FlatLight.disc(at, normal, radius, radiance, falloff, samples));
     }
 
     private static Light rectangle(MappingReader in) {
@@ -85,14 +84,12 @@ final class LightReader {
         List<Vector3> edges = in.points("edges", 2).required();
         Color radiance = in.color("radiance").atLeast(0).required();
         Falloff falloff = falloff(in);
-        double exponent = highlightExponent(in);
         int samples = samples(in);
         if (edges.size() > 2) {
             in.error("edges", "expected 2 edges, found " + edges.size());
         }
         return Building.of(
-                in,
-                () -> FlatLight.rectangle(corner, edges.get(0), edges.get(1), radiance, falloff, exponent, samples));
+                in, () -> FlatLight.rectangle(corner, edges.get(0), edges.get(1), radiance, falloff, samples));
     }
 
     private static Light sphere(MappingReader in) {
@@ -100,9 +97,8 @@ final class LightReader {
         double radius = in.number("radius").above(0).required();
         Color radiance = in.color("radiance").atLeast(0).required();
         Falloff falloff = falloff(in);
-        double exponent = highlightExponent(in);
         int samples = samples(in);
-        return Building.of(in, () -> new SphereLight(at, radius, radiance, falloff, exponent, samples));
+        return Building.of(in, () -> new SphereLight(at, radius, radiance, falloff, samples));
     }
 
     private static Falloff falloff(MappingReader in) {

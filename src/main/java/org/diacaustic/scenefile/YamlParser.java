@@ -33,7 +33,7 @@ import org.snakeyaml.engine.v2.scanner.StreamReader;
 final class YamlParser {
     static final int MAX_DEPTH = 50;
     /** Values in the document with every alias written out. */
-    static final long MAX_VALUES = 1_000_000;
+    static final long MAX_VALUES = 500_000;
     /** The reader's window. Small ones make it copy a long line over and over; a large one costs 6 bytes each. */
     private static final int WINDOW = 1 << 20;
 
@@ -176,7 +176,9 @@ final class YamlParser {
 
     private void refuseTag(Optional<String> tag, NodeEvent event) {
         if (tag.isPresent()) {
-            throw new Refused(place(event), "the tag " + tag.get() + " is not allowed: a scene file names no types");
+            throw new Refused(
+                    place(event),
+                    "the tag " + Problem.printable(tag.get(), 60) + " is not allowed: a scene file names no types");
         }
     }
 

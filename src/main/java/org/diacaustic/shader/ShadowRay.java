@@ -50,16 +50,15 @@ public final class ShadowRay {
     /**
      * Aims from a hit at a light.
      *
-     * @param error how far the hit may lie off its surface, along the line
      * @param around the media on the lit side of the hit
      */
-    public void aim(int lightNumber, Hit from, int object, double error, LightSample sample, MediumStack around) {
+    public void aim(int lightNumber, Hit from, int object, LightSample sample, MediumStack around) {
         light = lightNumber;
         fromObject = object;
         fromPrimitive = from.primitive;
         ray.set(from.x, from.y, from.z, sample.directionX, sample.directionY, sample.directionZ);
         ray.tMax = sample.distance;
-        ray.departureError = error;
+        ray.departureError = from.pointError;
         media.copyFrom(around);
     }
 

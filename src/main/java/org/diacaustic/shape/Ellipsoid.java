@@ -81,6 +81,28 @@ public final class Ellipsoid implements Shape {
         double fx = Math.fma(hit.t, ray.directionX, ray.originX - centreX) / radiusX;
         double fy = Math.fma(hit.t, ray.directionY, ray.originY - centreY) / radiusY;
         double fz = Math.fma(hit.t, ray.directionZ, ray.originZ - centreZ) / radiusZ;
+        // One Newton step along the ray, where the hit is; but not if it grazes, for then the step may be large.
+        double dx = ray.directionX / radiusX;
+        double dy = ray.directionY / radiusY;
+        double dz = ray.directionZ / radiusZ;
+        double further = (1 - (fx * fx + fy * fy + fz * fz)) / (2 * (fx * dx + fy * dy + fz * dz));
+        if (Math.abs(further) < 0x1p-30 * hit.t) {
+            fx = Math.fma(further, dx, fx);
+            fy = Math.fma(further, dy, fy);
+            fz = Math.fma(further, dz, fz);
+        }
+        // What remains goes along the normal, which for a flat ellipsoid is not the way to the centre.
+        double mx = smallestRadius / radiusX;
+        double my = smallestRadius / radiusY;
+        double mz = smallestRadius / radiusZ;
+        double depth = 1 - (fx * fx + fy * fy + fz * fz);
+        if (Math.abs(depth) > Arithmetic.gamma(8)) {
+            double slope = fx * fx * (mx * mx) + fy * fy * (my * my) + fz * fz * (mz * mz);
+            double step = depth / (2 * slope);
+            fx = Math.fma(step * mx * mx, fx, fx);
+            fy = Math.fma(step * my * my, fy, fy);
+            fz = Math.fma(step * mz * mz, fz, fz);
+        }
         double length = Math.sqrt(fx * fx + fy * fy + fz * fz);
         hit.setPoint(
                 Math.fma(radiusX, fx / length, centreX),
@@ -89,9 +111,9 @@ public final class Ellipsoid implements Shape {
                 pointError);
         // The gradient is f / radius; times the smallest radius no component can overflow. It is that of the point as
         // rounded: a ray that leaves it outward is then outward to intersect too.
-        double nx = (hit.x - centreX) / radiusX * (smallestRadius / radiusX);
-        double ny = (hit.y - centreY) / radiusY * (smallestRadius / radiusY);
-        double nz = (hit.z - centreZ) / radiusZ * (smallestRadius / radiusZ);
+        double nx = (hit.x - centreX) / radiusX * mx;
+        double ny = (hit.y - centreY) / radiusY * my;
+        double nz = (hit.z - centreZ) / radiusZ * mz;
         double normalLength = Arithmetic.length(nx, ny, nz);
         hit.setNormal(nx / normalLength, ny / normalLength, nz / normalLength);
     }

@@ -99,7 +99,9 @@ public final class Frustum implements Shape {
         double a = widening == 0 ? dd : Arithmetic.differenceOfProducts(1, dd, s, s);
         double b = radius * s - (f1 * d1 + f2 * d2);
         if (ray.leaving == SIDE) {
-            return leaveSide(ray, a, b, f3, d3, slack(ray, dd, d3));
+            double length = Math.sqrt(dd + d3 * d3);
+            boolean atTip = a < 0 && s > 0 && radius * length < 4 * slack(ray, length);
+            return leaveSide(ray, a, b, f3, d3, atTip ? -slack(ray, length) : slack(ray, length));
         }
         // b² − a·c without its cancellation: |ρ·d⊥ − s·f⊥|² − (f⊥ × d⊥)².
         double w1 = radius * d1 - s * f1;
@@ -130,17 +132,20 @@ public final class Frustum implements Shape {
     }
 
     /** How far b may be off for a ray that leaves the side. */
-    private double slack(Ray ray, double dd, double d3) {
-        double length = Math.sqrt(dd + d3 * d3);
+    private double slack(Ray ray, double length) {
         return (Arithmetic.gamma(24) * size + ray.departureError * length) * length * slant * slant;
     }
 
-    /** The start is a root; what remains is linear. */
-    private boolean leaveSide(Ray ray, double a, double b, double f3, double d3, double slack) {
+    /**
+     * The start is a root; what remains is linear.
+     *
+     * @param least what b must exceed for the ray to go inward; negative for a ray into the cone from its very tip
+     */
+    private boolean leaveSide(Ray ray, double a, double b, double f3, double d3, double least) {
         if (!capped) {
-            return Math.abs(b) > slack && meetSide(ray, 2 * b / a, f3, d3);
+            return Math.abs(b) > Math.abs(least) && meetSide(ray, 2 * b / a, f3, d3);
         }
-        if (!(b > slack)) {
+        if (!(b > least)) {
             return false;
         }
         double side = a > 0 ? 2 * b / a : Double.POSITIVE_INFINITY;

@@ -81,15 +81,28 @@ final class PolygonCheck {
 
     private double requireFlat() {
         double largest = 0;
-        for (int i = 1; i < vertices.length; i++) {
-            double height = Math.abs(vertices[i].minus(vertices[0]).dot(normal));
-            if (!(height <= FLATNESS * extent + rounding)) {
-                throw new IllegalArgumentException("the polygon must be flat, but " + named(i) + " lies " + height
-                        + " off the plane of the others");
+        double sum = 0;
+        for (Vector3 vertex : vertices) {
+            largest = Math.max(largest, Math.abs(height(vertex)));
+            sum += height(vertex);
+        }
+        if (largest > FLATNESS * extent + rounding) {
+            double mean = sum / vertices.length;
+            int farthest = 0;
+            for (int i = 1; i < vertices.length; i++) {
+                if (Math.abs(height(vertices[i]) - mean) >= Math.abs(height(vertices[farthest]) - mean)) {
+                    farthest = i;
+                }
             }
-            largest = Math.max(largest, height);
+            throw new IllegalArgumentException("the polygon must be flat, but " + named(farthest) + " lies "
+                    + Math.abs(height(vertices[farthest]) - mean) + " off the plane through the middle of all");
         }
         return largest;
+    }
+
+    /** Over the plane through vertex 0. */
+    private double height(Vector3 vertex) {
+        return vertex.minus(vertices[0]).dot(normal);
     }
 
     private void requireConvex() {

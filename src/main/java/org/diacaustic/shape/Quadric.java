@@ -174,7 +174,15 @@ public final class Quadric implements Shape {
         x = Math.fma(step, gx, x);
         y = Math.fma(step, gy, y);
         z = Math.fma(step, gz, z);
-        hit.setPoint(x, y, z, pointError(x, y, z, Math.abs(step) * Math.sqrt(squared)));
+        double error = pointError(x, y, z, Math.abs(step) * Math.sqrt(squared));
+        double insideX = Arithmetic.clamp(x, bounds.minX(), bounds.maxX());
+        double insideY = Arithmetic.clamp(y, bounds.minY(), bounds.maxY());
+        double insideZ = Arithmetic.clamp(z, bounds.minZ(), bounds.maxZ());
+        error += Arithmetic.length(insideX - x, insideY - y, insideZ - z);
+        x = insideX;
+        y = insideY;
+        z = insideZ;
+        hit.setPoint(x, y, z, error);
         gx = q.timesX(x, y, z) + l.x();
         gy = q.timesY(x, y, z) + l.y();
         gz = q.timesZ(x, y, z) + l.z();

@@ -95,7 +95,7 @@ class SceneDocumentTest {
         }
         Assertions.assertTimeout(Duration.ofSeconds(2), () -> parse(bomb.toString()));
 
-        assertThat(problems.toString()).contains("more values than the limit of 1000000");
+        assertThat(problems.toString()).contains("more values than the limit of 500000");
     }
 
     @Test
