@@ -45,7 +45,6 @@ public final class Main {
         CommandLine commandLine = new CommandLine(new Main());
         commandLine.setParameterExceptionHandler(Failures::usage);
         commandLine.setExecutionExceptionHandler(Failures::execution);
-        commandLine.setCaseInsensitiveEnumValuesAllowed(true);
         if (arguments.length == 0) {
             commandLine.usage(System.err);
             return ExitCode.BAD_INPUT;
