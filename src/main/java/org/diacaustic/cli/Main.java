@@ -49,7 +49,11 @@ public final class Main {
             commandLine.usage(System.err);
             return ExitCode.BAD_INPUT;
         }
-        return commandLine.execute(namesScene(commandLine, arguments[0]) ? renderBeside(arguments) : arguments);
+        try {
+            return commandLine.execute(namesScene(commandLine, arguments[0]) ? renderBeside(arguments) : arguments);
+        } catch (OutOfMemoryError tooSmall) {
+            return Failures.memory(tooSmall);
+        }
     }
 
     private static boolean namesScene(CommandLine commandLine, String first) {
