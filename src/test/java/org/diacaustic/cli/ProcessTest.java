@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import org.diacaustic.image.Exposure;
 import org.diacaustic.image.ImageFiles;
 import org.diacaustic.image.LinearImage;
 import org.junit.jupiter.api.BeforeEach;
@@ -135,8 +136,9 @@ class ProcessTest {
 
     @Test
     void render_givenTooLittleMemory_saysSoInOneLine() throws Exception {
-        Files.writeString(folder.resolve("large.obj"), "v 0.25 0.5 0.75\n".repeat(400_000) + "f 1 2 3\n");
-        SmallScene.in(folder, "plane: {name: floor, at: [0, -1, 0], normal: [0, 1, 0]", "mesh: {file: large.obj");
+        // 12 bytes a pixel: 48 MB.
+        ImageFiles.write(new LinearImage(2000, 2000), Exposure.fixed(1), folder.resolve("large.png"));
+        SmallScene.in(folder, "diffuse: 0.5", "diffuse: {image: {file: large.png}}");
         List<String> command = command("render", scene, "-o", folder.resolve("out.png"));
         command.add(1, "-Xmx16m");
         assertThat(exitCode(start(command))).isEqualTo(4);
