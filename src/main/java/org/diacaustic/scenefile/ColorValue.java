@@ -26,7 +26,7 @@ public final class ColorValue extends Value<Color> {
     @Override
     String expected() {
         return "a colour, [red, green, blue] or one number for grey"
-                + (range.equals(Range.ALL) ? "" : ", each " + range.describe("").strip());
+                + (range.isWhole() ? "" : ", each " + range.describe("").strip());
     }
 
     @Override
