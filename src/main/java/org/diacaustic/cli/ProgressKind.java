@@ -10,21 +10,23 @@ enum ProgressKind {
     AUTO {
         @Override
         ProgressListener listener(PrintStream out) {
-            return System.console() == null ? NONE.listener(out) : new ProgressLine(out, "\r%3.0f %%  %s left ", "\r");
+            return System.console() == null
+                    ? NONE.listener(out)
+                    : new ProgressLine(out, "\r%3.0f %%  %.1f s left ", "\r");
         }
     },
     /** A line whenever another tenth is done. */
     PLAIN {
         @Override
         ProgressListener listener(PrintStream out) {
-            return new ProgressLine(out, "%.0f %%, %s left%n", "");
+            return new ProgressLine(out, "%.0f %%, %.1f s left%n", "");
         }
     },
     /** The same as JSON objects, one a line. */
     JSON {
         @Override
         ProgressListener listener(PrintStream out) {
-            return new ProgressLine(out, "{\"percent\": %.0f, \"left\": \"%s\"}%n", "");
+            return new ProgressLine(out, "{\"percent\": %.0f, \"secondsLeft\": %.1f}%n", "");
         }
     },
     NONE {
@@ -60,7 +62,7 @@ enum ProgressKind {
             lastStep = step;
             double seconds = (System.nanoTime() - start) * 1e-9;
             double left = seconds * (total - done) / done;
-            out.printf(Locale.ROOT, format, 100.0 * done / total, String.format(Locale.ROOT, "%.1f s", left));
+            out.printf(Locale.ROOT, format, 100.0 * done / total, left);
             if (done == total && !end.isEmpty()) {
                 out.print(end + " ".repeat(40) + end);
             }

@@ -39,6 +39,7 @@ final class PngCodec implements ImageCodec {
         writeChunk(out, "IHDR", header, header.length);
         byte[] perceptualIntent = {0};
         writeChunk(out, "sRGB", perceptualIntent, 1);
+        writeChunk(out, "tEXt", SOFTWARE, SOFTWARE.length);
         Deflater deflater = new Deflater(COMPRESSION_LEVEL);
         try {
             OutputStream compressed = new DeflaterOutputStream(new DataChunks(out), deflater, 1 << 13);

@@ -301,6 +301,7 @@ public final class MappingReader {
             String key = entry.key().text();
             if (!asked.contains(key)) {
                 section.error(entry.key().place(), child(key), "unknown key" + advice(entry));
+                Suggestions.nearest(key, asked).ifPresent(meant -> section.misspelt(child(meant)));
             }
         }
         finished = true;
