@@ -145,8 +145,8 @@ class BoxHierarchyTest {
 
     @Test
     void leave_givenAWalkThatIsNotDone_freesTheStack() {
-        BoxHierarchy tree = BoxHierarchy.over(randomBoxes(new SplittableRandom(3), 100, 0));
-        Ray ray = ray(0, 0, 0, 1, 1, 1);
+        BoxHierarchy tree = BoxHierarchy.over(new double[] {0, 0, 0, 1, 1, 1});
+        Ray ray = ray(-1, 0.5, 0.5, 1, 0, 0);
         ray.stackTop = 5;
         int base = tree.enter(ray);
         assertThat(tree.next(ray, base)).isNotEqualTo(BoxHierarchy.DONE);
