@@ -105,7 +105,10 @@ final class PngCodec implements ImageCodec {
 
     @Override
     public LinearImage read(ImageSource source) throws IOException {
-        return JdkImageReader.read(source);
+        PngChecksums in = new PngChecksums(source.in());
+        LinearImage image = JdkImageReader.read(new ImageSource(in, source.limit()));
+        in.requireSound();
+        return image;
     }
 
     /** Cuts the compressed data into IDAT chunks. Closing writes the last one and leaves the file open. */
