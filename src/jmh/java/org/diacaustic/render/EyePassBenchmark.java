@@ -28,6 +28,7 @@ public class EyePassBenchmark {
     @Param({"control", "complex", "glass-of-water"})
     public String scene;
 
+    private final StopSignal never = new StopSignal();
     private EyeTracer tracer;
     private Camera camera;
     private int pixel;
@@ -48,6 +49,6 @@ public class EyePassBenchmark {
         pixel = (pixel + 1) % (camera.width() * camera.height());
         tracer.random().start(1, 0, pixel);
         camera.aim(x + 0.5, y + 0.5, 0.5, 0.5, tracer.ray());
-        return tracer.trace();
+        return tracer.trace(never);
     }
 }
