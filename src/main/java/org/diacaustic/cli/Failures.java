@@ -43,6 +43,13 @@ final class Failures {
         return code;
     }
 
+    static int memory(OutOfMemoryError failure) {
+        long mebibytes = Runtime.getRuntime().maxMemory() >> 20;
+        System.err.println("diacaustic: out of memory (" + oneLine(String.valueOf(failure.getMessage()))
+                + "); java may use " + mebibytes + " MiB, and more with -Xmx");
+        return ExitCode.LIMIT;
+    }
+
     static int exitCode(Throwable failure) {
         if (failure instanceof CommandFailure known) {
             return known.exitCode();

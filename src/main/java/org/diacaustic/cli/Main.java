@@ -45,12 +45,15 @@ public final class Main {
         CommandLine commandLine = new CommandLine(new Main());
         commandLine.setParameterExceptionHandler(Failures::usage);
         commandLine.setExecutionExceptionHandler(Failures::execution);
-        commandLine.setCaseInsensitiveEnumValuesAllowed(true);
         if (arguments.length == 0) {
             commandLine.usage(System.err);
             return ExitCode.BAD_INPUT;
         }
-        return commandLine.execute(namesScene(commandLine, arguments[0]) ? renderBeside(arguments) : arguments);
+        try {
+            return commandLine.execute(namesScene(commandLine, arguments[0]) ? renderBeside(arguments) : arguments);
+        } catch (OutOfMemoryError tooSmall) {
+            return Failures.memory(tooSmall);
+        }
     }
 
     private static boolean namesScene(CommandLine commandLine, String first) {

@@ -3,6 +3,8 @@ package org.diacaustic.cli;
 import java.io.PrintStream;
 import java.util.Locale;
 import org.diacaustic.render.ProgressListener;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.TypeConversionException;
 
 /** How progress is shown on standard error. */
 enum ProgressKind {
@@ -36,7 +38,26 @@ enum ProgressKind {
         }
     };
 
+    /** As it is written on the command line. */
+    @Override
+    public String toString() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
     abstract ProgressListener listener(PrintStream out);
+
+    /** Reads a kind as it is written on the command line. */
+    static final class Converter implements ITypeConverter<ProgressKind> {
+        @Override
+        public ProgressKind convert(String text) {
+            for (ProgressKind kind : values()) {
+                if (kind.toString().equals(text)) {
+                    return kind;
+                }
+            }
+            throw new TypeConversionException("expected one of auto, plain, json, none, found '" + text + "'");
+        }
+    }
 
     /** Prints the part done and the time left, at most once a step. */
     private static final class ProgressLine implements ProgressListener {

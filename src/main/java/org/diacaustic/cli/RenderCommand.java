@@ -52,6 +52,7 @@ final class RenderCommand implements Callable<Integer> {
     @Option(
             names = "--progress",
             paramLabel = "KIND",
+            converter = ProgressKind.Converter.class,
             defaultValue = "auto",
             description = "auto, plain, json, none (default: ${DEFAULT-VALUE}).")
     private ProgressKind progress;

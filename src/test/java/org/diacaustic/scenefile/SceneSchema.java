@@ -121,7 +121,8 @@ final class SceneSchema {
         }
     }
 
-    private JsonNode property(JsonNode schema, String key) {
+    /** What the schema says of the value under a key, without references. */
+    JsonNode property(JsonNode schema, String key) {
         return resolved(schema.get("properties").get(key));
     }
 

@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
@@ -109,6 +110,28 @@ class SceneSchemaTest {
     }
 
     @Test
+    void schema_givenEachDefault_meansWhatTheReaderTakesForAMissingKey() {
+        int defaults = 0;
+        for (SceneSchema.Site site : schema.sites()) {
+            for (String key : site.isMapping() ? site.keys() : Set.<String>of()) {
+                ObjectNode mapping = schema.mappingWith(site, key);
+                JsonNode value = schema.property(site.schema(), key).get("default");
+                if (value != null) {
+                    JsonNode said = site.embed().apply(mapping.deepCopy().set(key, value));
+                    JsonNode unsaid = site.embed().apply(mapping.deepCopy().without(key));
+                    assertThat(sceneOf(said))
+                            .as(said.toString())
+                            .usingRecursiveComparison()
+                            .withEqualsForType(Double::equals, Double.class)
+                            .isEqualTo(sceneOf(unsaid));
+                    defaults++;
+                }
+            }
+        }
+        assertThat(defaults).isGreaterThan(40);
+    }
+
+    @Test
     void schema_givenAnyValueAnywhere_judgesItAsTheReaderDoes() {
         List<String> disagreements = new ArrayList<>();
         int judged = 0;
@@ -185,8 +208,17 @@ class SceneSchemaTest {
 
     private static Problems read(JsonNode scene) {
         Problems problems = new Problems();
-        FileScope files = FileScope.inFolderOf(folder.resolve("scene.json"));
-        SceneReader.read(SceneDocument.parse("scene.json", scene.toString(), files, problems), problems);
+        read(scene, problems);
         return problems;
+    }
+
+    private static SceneFile sceneOf(JsonNode scene) {
+        Problems problems = new Problems();
+        return read(scene, problems).orElseThrow(() -> new AssertionError(scene + ": " + problems));
+    }
+
+    private static Optional<SceneFile> read(JsonNode scene, Problems problems) {
+        FileScope files = FileScope.inFolderOf(folder.resolve("scene.json"));
+        return SceneReader.read(SceneDocument.parse("scene.json", scene.toString(), files, problems), problems);
     }
 }
