@@ -105,15 +105,15 @@ final class EyeTracer {
     private void follow(int depth, int fromObject, int fromPrimitive) {
         int object = scene.nearest(ray, fromObject, fromPrimitive);
         boolean seesLight = seesLight();
-        absorb(media.current(), ray.tMax);
-        if (seesLight) {
-            radiance.addProduct(throughput, glow);
-        } else if (object == SceneIndex.NONE) {
-            glow.set(plan.scene().background());
-            radiance.addProduct(throughput, glow);
-        } else {
+        if (object != SceneIndex.NONE && !seesLight) {
             arrive(object, depth);
+            return;
         }
+        absorb(media.current(), ray.tMax);
+        if (!seesLight) {
+            glow.set(plan.scene().background());
+        }
+        radiance.addProduct(throughput, glow);
     }
 
     /** Whether a light that can be seen lies before everything else; sets its radiance. */
@@ -142,8 +142,11 @@ final class EyeTracer {
         double along = ray.directionX * hit.normalX + ray.directionY * hit.normalY + ray.directionZ * hit.normalZ;
         int side = along < 0 ? 1 : -1;
         boolean opaque = scene.isOpaque(object);
-        if (!opaque) {
+        if (opaque) {
+            absorb(media.current(), ray.tMax);
+        } else {
             media.lookAt(object, side > 0);
+            absorb(media.near(), ray.tMax);
             if (!media.isVisible()) {
                 media.cross(object, side > 0);
                 carried.set(throughput);
