@@ -43,13 +43,11 @@ final class BenchmarkScenes {
 
     /** Nine children, four levels: 7,381 spheres. */
     static Sphereflake flake() {
-        return new Sphereflake(Sphereflake.Kind.CLASSIC, 4, Vector3.ZERO, 1, 1.0 / 3, Vector3.UNIT_Y, Vector3.UNIT_X);
+        return new Sphereflake(FlakeKind.CLASSIC, 4, Vector3.ZERO, 1);
     }
 
-    /** x, y, z and radius of each sphere of the flake. */
-    static double[] flakeSpheres() {
-        return new FlakeSpheres(Sphereflake.Kind.CLASSIC, 4, Vector3.ZERO, 1, 1.0 / 3, Vector3.UNIT_Y, Vector3.UNIT_X)
-                .spheres;
+    static FlakeSpheres flakeSpheres() {
+        return new FlakeSpheres(FlakeKind.CLASSIC, 4, Vector3.ZERO, 1, 1.0 / 3, Vector3.UNIT_Y, Vector3.UNIT_X);
     }
 
     /** Rays of a pinhole camera in scan-line order, or from anywhere in the bounds to anywhere; six numbers each. */

@@ -11,7 +11,7 @@ final class Bins {
     private static final int BINS = 16;
 
     /** The cost of a node's two box tests, in tests of one item. */
-    private static final float NODE_COST = Integer.getInteger("nodecost", 10) / 10f;
+    private static final float NODE_COST = 2;
 
     private final float[] boxes;
     private final int[] items;

@@ -214,7 +214,9 @@ public final class BoxHierarchy {
         int lowX = inverseX < 0 ? 1 : 0;
         int lowY = inverseY < 0 ? 3 : 2;
         int lowZ = inverseZ < 0 ? 5 : 4;
-        float tMax = (float) (ray.tMax * ray.stackFrame[base - 1] - ray.stackFrame[base - 2]) * ROUND_OUT;
+        double skipped = ray.stackFrame[base - 2];
+        double speed = ray.stackFrame[base - 1];
+        float tMax = (float) (ray.tMax * speed * (1 + ORIGIN_ERROR) - skipped) * ROUND_OUT;
         int end = Float.floatToRawIntBits(tMax);
         int top = ray.stackTop;
         int nodes = 0;

@@ -20,7 +20,7 @@ final class BoxHierarchyBuilder {
     /** Below this depth ranges are halved, which ends within 2^28 items. */
     private static final int LARGEST_HEURISTIC_DEPTH = LARGEST_DEPTH - 28;
 
-    private static final int LARGEST_LEAF = Integer.getInteger("leaf", 8);
+    private static final int LARGEST_LEAF = 8;
 
     /** Ranges from this size on are shared between threads. */
     private static final int SHARED_SIZE = 1 << 14;

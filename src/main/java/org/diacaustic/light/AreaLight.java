@@ -31,12 +31,22 @@ abstract class AreaLight implements Light {
         return true;
     }
 
-    /** Lights from the point that the sample is directed at: area in scene units squared, cosine at the light. */
+    /** Lights from the sampled point, which stands for an area (scene units squared) at an angle at the light. */
     final boolean shine(double area, double cosAtLight, LightSample sample) {
         if (!(cosAtLight > 0)) {
             return false;
         }
         sample.irradiance.set(radiance).scale(area * cosAtLight * falloff.at(sample.distance));
+        return true;
+    }
+
+    /** Lights from the sampled point, which stands for a solid angle as seen from the lit point. */
+    final boolean shineFrom(double solidAngle, LightSample sample) {
+        double distance = sample.distance;
+        if (!(distance > 0)) {
+            return false;
+        }
+        sample.irradiance.set(radiance).scale(solidAngle * (distance * distance * falloff.at(distance)));
         return true;
     }
 

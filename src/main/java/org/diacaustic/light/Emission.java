@@ -1,6 +1,7 @@
 package org.diacaustic.light;
 
 import org.diacaustic.math.Color;
+import org.diacaustic.math.Vector3;
 
 /** The checks that all lights make of what they are given. */
 final class Emission {
@@ -11,6 +12,13 @@ final class Emission {
             throw new IllegalArgumentException(what + " must be finite and not negative, but is " + color);
         }
         return color;
+    }
+
+    static Vector3 checkedPoint(Vector3 point, String what) {
+        if (!point.isFinite()) {
+            throw new IllegalArgumentException(what + " must be finite, but is " + point);
+        }
+        return point;
     }
 
     static double checkedExponent(double exponent) {

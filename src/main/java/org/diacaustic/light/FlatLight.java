@@ -10,6 +10,10 @@ public final class FlatLight extends AreaLight {
     private final Vector3 centre;
     private final Vector3 sideU;
     private final Vector3 sideV;
+    /** What a vector of the plane is multiplied by for its share of {@link #sideU}, and of {@link #sideV}. */
+    private final Vector3 dualU;
+
+    private final Vector3 dualV;
     private final Vector3 normal;
     private final boolean round;
     private final double area;
@@ -23,7 +27,7 @@ public final class FlatLight extends AreaLight {
             Falloff falloff,
             int sampleCount) {
         super(radiance, falloff, sampleCount);
-        this.centre = centre;
+        this.centre = Emission.checkedPoint(centre, "centre");
         this.sideU = sideU;
         this.sideV = sideV;
         this.round = round;
@@ -33,12 +37,17 @@ public final class FlatLight extends AreaLight {
             throw new IllegalArgumentException("an area light needs a positive, finite area, but has " + rectangle);
         }
         this.normal = cross.normalized();
+        this.dualU = sideV.cross(normal).times(1 / rectangle);
+        this.dualV = normal.cross(sideU).times(1 / rectangle);
         this.area = round ? Math.PI * rectangle : 4 * rectangle;
     }
 
     /** A disc that faces along {@code normal}. */
     public static FlatLight disc(
             Vector3 centre, Vector3 normal, double radius, Color radiance, Falloff falloff, int sampleCount) {
+        if (!(radius > 0)) {
+            throw new IllegalArgumentException("the radius of a light must be positive, but is " + radius);
+        }
         Vector3 unit = normal.normalized();
         Vector3 u = unit.perpendicular();
         Vector3 v = unit.cross(u);
@@ -96,14 +105,8 @@ public final class FlatLight extends AreaLight {
 
     /** Whether the point of the light's plane at (x, y, z) from the centre is part of the light. */
     private boolean isInside(double x, double y, double z) {
-        double uu = sideU.dot(sideU);
-        double uv = sideU.dot(sideV);
-        double vv = sideV.dot(sideV);
-        double pu = x * sideU.x() + y * sideU.y() + z * sideU.z();
-        double pv = x * sideV.x() + y * sideV.y() + z * sideV.z();
-        double determinant = uu * vv - uv * uv;
-        double a = (pu * vv - pv * uv) / determinant;
-        double b = (pv * uu - pu * uv) / determinant;
+        double a = x * dualU.x() + y * dualU.y() + z * dualU.z();
+        double b = x * dualV.x() + y * dualV.y() + z * dualV.z();
         return round ? a * a + b * b <= 1 : Math.abs(a) <= 1 && Math.abs(b) <= 1;
     }
 }

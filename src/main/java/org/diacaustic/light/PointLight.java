@@ -13,6 +13,7 @@ import org.diacaustic.math.Vector3;
 public record PointLight(Vector3 position, Color intensity, Falloff falloff, double highlightExponent)
         implements Light {
     public PointLight {
+        Emission.checkedPoint(position, "position");
         Emission.checked(intensity, "intensity");
         Emission.checkedExponent(highlightExponent);
     }

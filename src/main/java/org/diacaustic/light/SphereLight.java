@@ -6,7 +6,11 @@ import org.diacaustic.math.Rgb;
 import org.diacaustic.math.Vector3;
 import org.diacaustic.shape.Sphere;
 
-/** A glowing ball. Only the cap of it that a point can see is sampled. */
+/**
+ * A glowing ball. Directions to it are chosen uniformly from the cone in which a point outside sees it, so with light
+ * that falls off as it does in nature, all samples of a small ball carry the same [Pharr, Jakob and Humphreys 2016,
+ * 14.2.2]. From inside it is dark.
+ */
 public final class SphereLight extends AreaLight {
     private final Sphere sphere;
     private final Vector3 centre;
@@ -24,34 +28,29 @@ public final class SphereLight extends AreaLight {
         if (!sample.towards(centre.x(), centre.y(), centre.z(), x, y, z) || !(sample.distance > radius)) {
             return false;
         }
-        // The visible cap about the axis from the centre to the point: heights radius·(radius ÷ distance .. 1).
-        double ax = -sample.directionX;
-        double ay = -sample.directionY;
-        double az = -sample.directionZ;
-        double horizon = radius / sample.distance;
-        double height = 1 - s * (1 - horizon);
-        double ring = Math.sqrt(Math.max(0, (1 - height) * (1 + height)));
+        double ax = sample.directionX;
+        double ay = sample.directionY;
+        double az = sample.directionZ;
+        double sinRim = radius / sample.distance;
+        double cosRim = Math.sqrt((1 - sinRim) * (1 + sinRim));
+        double versineRim = sinRim * sinRim / (1 + cosRim);
+        double versine = s * versineRim;
+        double cosine = 1 - versine;
+        double sine = Math.sqrt(versine * (2 - versine));
         double angle = 2 * Math.PI * t;
-        double cos = ring * StrictMath.cos(angle);
-        double sin = ring * StrictMath.sin(angle);
+        double p = sine * StrictMath.cos(angle);
+        double q = sine * StrictMath.sin(angle);
         // A frame about the axis without a branch on its length [Duff et al. 2017].
         double sign = Math.copySign(1.0, az);
-        double p = -1 / (sign + az);
-        double q = ax * ay * p;
-        double nx = height * ax + cos * (1 + sign * ax * ax * p) + sin * q;
-        double ny = height * ay + cos * (sign * q) + sin * (sign + ay * ay * p);
-        double nz = height * az + cos * (-sign * ax) + sin * (-ay);
-        double cap = 2 * Math.PI * radius * radius * (1 - horizon);
-        if (!sample.towards(
-                Math.fma(radius, nx, centre.x()),
-                Math.fma(radius, ny, centre.y()),
-                Math.fma(radius, nz, centre.z()),
-                x,
-                y,
-                z)) {
-            return false;
-        }
-        return shine(cap, -(sample.directionX * nx + sample.directionY * ny + sample.directionZ * nz), sample);
+        double a = -1 / (sign + az);
+        double b = ax * ay * a;
+        sample.directionX = cosine * ax + p * (1 + sign * ax * ax * a) + q * b;
+        sample.directionY = cosine * ay + p * (sign * b) + q * (sign + ay * ay * a);
+        sample.directionZ = cosine * az + p * (-sign * ax) + q * -ay;
+        double halfChordSquared = Math.max(0, (sinRim - sine) * (sinRim + sine));
+        sample.distance *= cosine - Math.sqrt(halfChordSquared);
+        double solidAngle = 2 * Math.PI * versineRim;
+        return shineFrom(solidAngle, sample);
     }
 
     @Override

@@ -34,7 +34,7 @@ public final class SpotLight implements Light {
             throw new IllegalArgumentException("a spot needs half-angles 0 <= inner <= outer <= 180 degrees, outer > 0,"
                     + " but has inner " + innerDegrees + " and outer " + outerDegrees);
         }
-        this.position = position;
+        this.position = Emission.checkedPoint(position, "position");
         this.axis = direction.normalized();
         this.intensity = Emission.checked(intensity, "intensity");
         this.falloff = falloff;

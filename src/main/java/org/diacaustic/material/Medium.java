@@ -8,7 +8,7 @@ import org.diacaustic.math.Color;
  * @param indexOfRefraction positive; 1 for empty space
  * @param absorption the part of the light lost per scene unit, per colour: after a distance d, exp(−absorption·d) is
  *     left
- * @param priority where transparent objects overlap, the one of the highest priority fills the overlap [Schmidt and
+ * @param priority at least 0; where transparent objects overlap, the one of the highest priority fills the overlap [Schmidt and
  *     Budge 2002, "Simple Nested Dielectrics in Ray Traced Images"]; among equals the one entered last
  */
 public record Medium(double indexOfRefraction, Color absorption, int priority) {
@@ -21,6 +21,9 @@ public record Medium(double indexOfRefraction, Color absorption, int priority) {
         }
         if (!absorption.isFinite() || absorption.smallest() < 0) {
             throw new IllegalArgumentException("absorption must be finite and not negative, but is " + absorption);
+        }
+        if (priority < 0) {
+            throw new IllegalArgumentException("a priority must be at least 0, but is " + priority);
         }
     }
 

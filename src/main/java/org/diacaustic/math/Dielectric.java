@@ -5,8 +5,8 @@ package org.diacaustic.math;
  * [Thesis 2.3, Eq. 2 and 3; Born and Wolf 1999, 1.5]. Mutable and owned by one task; {@link #evaluate} fills it in.
  *
  * <p>Differences that vanish as the two indices approach each other, or the angle its critical value, are factored so
- * that they keep their digits: the reflectance of an index ratio of 1 + 1e-12 is right, and transmittance is computed as
- * itself, not as 1 − R.
+ * that they keep their digits: the reflectance of an index ratio of 1 + 1e-12 is right, and so is the transmittance of a
+ * grazing ray. The smaller of the two is computed as itself and the larger is what is left, so that they add up to 1.
  */
 public final class Dielectric {
     /** The fraction of the power that is reflected, 0..1; 1 under total internal reflection. */
@@ -55,17 +55,22 @@ public final class Dielectric {
         }
         double transmitted = Math.sqrt(squared);
         cosTransmitted = Math.min(1, transmitted / nTransmitted);
-        double senkrecht = incident + transmitted;
+        double perpendicular = incident + transmitted;
         double parallel = nTransmitted * cosIncident + nIncident * cosTransmitted;
+        double flow = 4 * incident * transmitted;
+        transmittance = 0.5 * flow * (1 / (perpendicular * perpendicular) + 1 / (parallel * parallel));
+        if (transmittance < 0.5) {
+            reflectance = 1 - transmittance;
+            return;
+        }
         double contrast = difference * sum;
         double sinTransmittedSquared = (1 - cosTransmitted) * (1 + cosTransmitted);
-        double rs = contrast / (senkrecht * senkrecht);
+        double rs = contrast / (perpendicular * perpendicular);
         double rp = contrast
-                * (Arithmetic.differenceOfProducts(cosIncident, cosIncident, 1, sinTransmittedSquared))
+                * Arithmetic.differenceOfProducts(cosIncident, cosIncident, 1, sinTransmittedSquared)
                 / (parallel * parallel);
-        reflectance = Math.min(1, 0.5 * (rs * rs + rp * rp));
-        double flow = 4 * incident * transmitted;
-        transmittance = Math.min(1, 0.5 * flow * (1 / (senkrecht * senkrecht) + 1 / (parallel * parallel)));
+        reflectance = 0.5 * (rs * rs + rp * rp);
+        transmittance = 1 - reflectance;
     }
 
     /**

@@ -3,6 +3,7 @@ package org.diacaustic.render;
 import org.diacaustic.light.Light;
 import org.diacaustic.material.Material;
 import org.diacaustic.material.Medium;
+import org.diacaustic.material.ScatterRules;
 import org.diacaustic.material.Scattering;
 import org.diacaustic.material.Surface;
 import org.diacaustic.material.TransportMode;
@@ -11,7 +12,6 @@ import org.diacaustic.math.Rgb;
 import org.diacaustic.math.SampleStream;
 import org.diacaustic.scene.MediumStack;
 import org.diacaustic.scene.SceneIndex;
-import org.diacaustic.scene.Settings;
 import org.diacaustic.shape.Hit;
 import org.diacaustic.shape.Shape;
 
@@ -22,7 +22,10 @@ import org.diacaustic.shape.Shape;
 final class EyeTracer {
     private final RenderPlan plan;
     private final SceneIndex scene;
-    private final Settings settings;
+    private final ScatterRules rules;
+    private final int maxDepth;
+    private final double minimumThroughput;
+    private final Light[] visibleLights;
     private final DirectLight directLight;
     private final PendingRays pending;
     private final Counters counters = new Counters();
@@ -41,7 +44,10 @@ final class EyeTracer {
     EyeTracer(RenderPlan plan) {
         this.plan = plan;
         this.scene = plan.index();
-        this.settings = plan.settings();
+        this.rules = plan.settings().scatterRules();
+        this.maxDepth = plan.settings().maxDepth();
+        this.minimumThroughput = plan.settings().minimumThroughput();
+        this.visibleLights = plan.visibleLights();
         this.pending = new PendingRays(scene);
         this.media = new MediumStack(scene);
         this.directLight = new DirectLight(plan, counters, random);
@@ -99,23 +105,22 @@ final class EyeTracer {
     private void follow(int depth, int fromObject, int fromPrimitive) {
         int object = scene.nearest(ray, fromObject, fromPrimitive);
         boolean seesLight = seesLight();
-        absorb(media.current(), ray.tMax);
-        if (seesLight) {
-            radiance.addProduct(throughput, glow);
-        } else if (object == SceneIndex.NONE) {
-            glow.set(plan.scene().background());
-            radiance.addProduct(throughput, glow);
-        } else {
+        if (object != SceneIndex.NONE && !seesLight) {
             arrive(object, depth);
+            return;
         }
+        absorb(media.current(), ray.tMax);
+        if (!seesLight) {
+            glow.set(plan.scene().background());
+        }
+        radiance.addProduct(throughput, glow);
     }
 
     /** Whether a light that can be seen lies before everything else; sets its radiance. */
     private boolean seesLight() {
         boolean seen = false;
-        Light[] visible = plan.visibleLights();
         ray.leaving = Ray.FREE;
-        for (Light light : visible) {
+        for (Light light : visibleLights) {
             seen |= light.emitsAlong(ray, glow);
         }
         return seen;
@@ -137,8 +142,11 @@ final class EyeTracer {
         double along = ray.directionX * hit.normalX + ray.directionY * hit.normalY + ray.directionZ * hit.normalZ;
         int side = along < 0 ? 1 : -1;
         boolean opaque = scene.isOpaque(object);
-        if (!opaque) {
+        if (opaque) {
+            absorb(media.current(), ray.tMax);
+        } else {
             media.lookAt(object, side > 0);
+            absorb(media.near(), ray.tMax);
             if (!media.isVisible()) {
                 media.cross(object, side > 0);
                 carried.set(throughput);
@@ -163,7 +171,7 @@ final class EyeTracer {
         }
         material.evaluate(hit, surface);
         scattering.evaluate(
-                settings.scatterRules(),
+                rules,
                 TransportMode.RADIANCE,
                 ray,
                 hit,
@@ -173,7 +181,7 @@ final class EyeTracer {
                 opaque ? 1 : media.far().indexOfRefraction());
         addAmbient();
         directLight.add(object, side, hit, surface, scattering, media, throughput, radiance);
-        if (depth < settings.maxDepth()) {
+        if (depth < maxDepth) {
             goOn(object, side, depth, hit.pointError);
         }
     }
@@ -188,7 +196,7 @@ final class EyeTracer {
 
     /** Leaves the mirrored and the refracted ray for later, unless they carry too little. */
     private void goOn(int object, int side, int depth, double error) {
-        if (carries(scattering.reflectance)) {
+        if (carries(scattering.reflectance, scattering.reflectedX)) {
             counters.reflectionRays++;
             push(
                             hit.x,
@@ -203,7 +211,7 @@ final class EyeTracer {
                             error)
                     .copyFrom(media);
         }
-        if (carries(scattering.transmittance)) {
+        if (carries(scattering.transmittance, scattering.transmittedX)) {
             counters.refractionRays++;
             MediumStack beyond = push(
                     hit.x,
@@ -221,11 +229,18 @@ final class EyeTracer {
         }
     }
 
-    /** Sets what a continuation carries; a value that is not a number goes on, so that it is seen and counted. */
-    private boolean carries(Rgb fraction) {
+    /**
+     * Sets what a continuation carries, and says whether it is worth following. One that carries or points to what is
+     * not a number ends here and spoils the sample, so that it is counted.
+     */
+    private boolean carries(Rgb fraction, double directionX) {
         carried.set(throughput).multiply(fraction);
         double largest = carried.largest();
-        return !(largest <= 0) && !(largest < settings.minimumThroughput());
+        if (Double.isNaN(largest) || (largest > 0 && Double.isNaN(directionX))) {
+            radiance.set(Double.NaN, Double.NaN, Double.NaN);
+            return false;
+        }
+        return largest > 0 && largest >= minimumThroughput;
     }
 
     private MediumStack push(

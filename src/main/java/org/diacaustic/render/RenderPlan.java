@@ -85,9 +85,11 @@ public final class RenderPlan {
         return decisions;
     }
 
-    /** The bytes that the picture itself takes. */
+    /** The bytes that the picture itself takes; the largest long if that is too small a number. */
     public long imageBytes() {
-        return 3L * Float.BYTES * scene.camera().width() * scene.camera().height();
+        long pixels = (long) scene.camera().width() * scene.camera().height();
+        long bytesPerPixel = 3L * Float.BYTES;
+        return pixels > Long.MAX_VALUE / bytesPerPixel ? Long.MAX_VALUE : pixels * bytesPerPixel;
     }
 
     SceneIndex index() {
@@ -110,7 +112,7 @@ public final class RenderPlan {
 
     /** The radiance of a highlight ÷ (mirrored fraction × irradiance), at a cosine from the mirrored direction. */
     double highlight(double cosine, double exponent) {
-        if (!(cosine > 0)) {
+        if (cosine <= 0) {
             return 0;
         }
         double lobe = StrictMath.pow(Arithmetic.clamp(cosine, 0, 1), exponent);
@@ -131,7 +133,7 @@ public final class RenderPlan {
         long available = runtime.maxMemory() - (runtime.totalMemory() - runtime.freeMemory());
         long needed = imageBytes();
         long pixels = (long) scene.camera().width() * scene.camera().height();
-        if (needed > available || pixels > Integer.MAX_VALUE / 3) {
+        if (needed > available || pixels > (Integer.MAX_VALUE - 8) / 3) {
             throw new ResourceLimitException(
                     "a picture of " + scene.camera().width() + " x "
                             + scene.camera().height(),

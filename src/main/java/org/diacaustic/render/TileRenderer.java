@@ -52,6 +52,7 @@ final class TileRenderer {
         random.start(settings.seed(), 0, pixel);
         int samples = settings.samples();
         boolean spread = samples > 1;
+        boolean lens = camera.lensRadius() > 0;
         double shiftY = random.nextDouble();
         double lensShiftU = random.nextDouble();
         double lensShiftV = random.nextDouble();
@@ -62,8 +63,8 @@ final class TileRenderer {
             camera.aim(
                     x + across,
                     y + down,
-                    Stratification.shiftedInverse(i, 3, lensShiftU),
-                    Stratification.shiftedInverse(i, 5, lensShiftV),
+                    lens ? Stratification.shiftedInverse(i, 3, lensShiftU) : 0,
+                    lens ? Stratification.shiftedInverse(i, 5, lensShiftV) : 0,
                     tracer.ray());
             Rgb radiance = tracer.trace(stop);
             if (stop.isSet()) {

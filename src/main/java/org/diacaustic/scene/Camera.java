@@ -34,6 +34,27 @@ public final class Camera {
                 : builder.focusDistance;
     }
 
+    private Camera(Camera view, int width, int height) {
+        this.from = view.from;
+        this.forward = view.forward;
+        this.right = view.right;
+        this.up = view.up;
+        this.width = checkedPixels(width, width, height);
+        this.height = checkedPixels(height, width, height);
+        this.halfHeight = view.halfHeight;
+        this.halfWidth = halfHeight * width / height;
+        this.lensRadius = view.lensRadius;
+        this.focusDistance = view.focusDistance;
+    }
+
+    private static int checkedPixels(int side, int across, int down) {
+        if (side < 1) {
+            throw new IllegalArgumentException(
+                    "a picture needs at least 1 x 1 pixels, but has " + across + " x " + down);
+        }
+        return side;
+    }
+
     public static Builder builder() {
         return new Builder();
     }
@@ -55,29 +76,13 @@ public final class Camera {
         return lensRadius;
     }
 
-    /** The same view at another size in pixels; the vertical field of view stays. */
+    /**
+     * The same view at another size in pixels; the vertical field of view stays.
+     *
+     * @throws IllegalArgumentException if a side is smaller than 1
+     */
     public Camera withSize(int newWidth, int newHeight) {
-        Builder builder = new Builder();
-        builder.from = from;
-        builder.to = from.plus(forward);
-        builder.up = up;
-        builder.size(newWidth, newHeight);
-        builder.lensRadius = lensRadius;
-        builder.focusDistance = focusDistance;
-        return new Camera(builder, this);
-    }
-
-    private Camera(Builder builder, Camera view) {
-        this.from = view.from;
-        this.forward = view.forward;
-        this.right = view.right;
-        this.up = view.up;
-        this.width = builder.width;
-        this.height = builder.height;
-        this.halfHeight = view.halfHeight;
-        this.halfWidth = halfHeight * width / height;
-        this.lensRadius = view.lensRadius;
-        this.focusDistance = view.focusDistance;
+        return new Camera(this, newWidth, newHeight);
     }
 
     /**
@@ -157,12 +162,8 @@ public final class Camera {
 
         /** In pixels. */
         public Builder size(int pixelsAcross, int pixelsDown) {
-            if (pixelsAcross < 1 || pixelsDown < 1) {
-                throw new IllegalArgumentException(
-                        "a picture needs at least 1 x 1 pixels, but has " + pixelsAcross + " x " + pixelsDown);
-            }
-            width = pixelsAcross;
-            height = pixelsDown;
+            width = checkedPixels(pixelsAcross, pixelsAcross, pixelsDown);
+            height = checkedPixels(pixelsDown, pixelsAcross, pixelsDown);
             return this;
         }
 

@@ -1,5 +1,6 @@
 package org.diacaustic.scene;
 
+import org.diacaustic.material.Material;
 import org.diacaustic.material.Medium;
 
 /**
@@ -9,8 +10,8 @@ import org.diacaustic.material.Medium;
  * <p>A closed object is entered and left by identity, so overlaps and touching surfaces may come in any order. Where
  * objects overlap, the highest priority fills the space, among equals the one entered last; a boundary inside something
  * that dominates it is invisible. An open surface declares the medium on each of its sides, and the side that the ray
- * arrives on decides, whatever was believed before; inside a closed object of at least its priority it is invisible and
- * only changes what is around that object.
+ * arrives on decides, whatever was believed before. What it declares gives way to closed objects of at least the same
+ * priority: inside one that dominates both of its sides the surface is invisible and only changes what is around.
  */
 public final class MediumStack {
     private static final int BASE = -1;
@@ -88,20 +89,20 @@ public final class MediumStack {
     }
 
     private void lookAtSheet(int object, boolean entering) {
-        Medium inside = scene.object(object).material().inside();
-        Medium outside = scene.object(object).material().outside();
-        int dominant = dominant(count, BASE);
-        visible = dominant == BASE || medium(dominant).priority() < inside.priority();
-        near = entering ? outside : inside;
-        far = entering ? inside : outside;
+        base = side(object, !entering);
+        int before = dominant(count, BASE);
+        near = medium(before);
+        base = side(object, entering);
+        int after = dominant(count, BASE);
+        far = medium(after);
+        base = side(object, !entering);
+        visible = before == BASE || after == BASE;
     }
 
     /** Goes through the boundary of an object. */
     public void cross(int object, boolean entering) {
         if (!scene.object(object).shape().isClosed()) {
-            base = entering
-                    ? scene.object(object).material().inside()
-                    : scene.object(object).material().outside();
+            base = side(object, entering);
             return;
         }
         if (entering) {
@@ -138,14 +139,21 @@ public final class MediumStack {
     /** The object that fills the space, of the first {@code size} entered without the one at {@code except}. */
     private int dominant(int size, int except) {
         int best = BASE;
+        int highest = base.priority();
         for (int i = 0; i < size; i++) {
-            if (i != except
-                    && (best == BASE
-                            || medium(entered[i]).priority() >= medium(best).priority())) {
+            int priority = medium(entered[i]).priority();
+            if (i != except && priority >= highest) {
                 best = entered[i];
+                highest = priority;
             }
         }
         return best;
+    }
+
+    /** The medium that an open surface declares behind it, or in front of it. */
+    private Medium side(int object, boolean inside) {
+        Material material = scene.object(object).material();
+        return inside ? material.inside() : material.outside();
     }
 
     private Medium medium(int object) {

@@ -66,7 +66,7 @@ final class MaterialReader {
     private static Medium medium(MappingReader in) {
         double ior = in.number("ior").above(0).or(1.0);
         Color absorption = in.color("absorption").atLeast(0).or(Color.BLACK);
-        int priority = in.integer("priority").or(0);
+        int priority = in.integer("priority").atLeast(0).or(0);
         return new Medium(ior, absorption, priority);
     }
 

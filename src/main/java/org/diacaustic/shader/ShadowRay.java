@@ -1,5 +1,6 @@
 package org.diacaustic.shader;
 
+import java.util.Arrays;
 import org.diacaustic.light.LightSample;
 import org.diacaustic.math.Dielectric;
 import org.diacaustic.math.Ray;
@@ -44,7 +45,7 @@ public final class ShadowRay {
 
     /** Forgets which objects stopped light last: at the start of each task, so that counters depend on nothing else. */
     public void forgetBlockers() {
-        java.util.Arrays.fill(lastBlocker, NO_BLOCKER);
+        Arrays.fill(lastBlocker, NO_BLOCKER);
     }
 
     /**
@@ -62,18 +63,33 @@ public final class ShadowRay {
         media.copyFrom(around);
     }
 
+    /** The objects that may lie on the line. */
+    public SceneIndex scene() {
+        return scene;
+    }
+
+    /** The line itself: from the lit point in unit steps to the light at {@code tMax}, which may be infinite. */
+    public Ray ray() {
+        return ray;
+    }
+
+    /** The media at the lit point; a shading model may change them as it follows the line. */
+    public MediumStack media() {
+        return media;
+    }
+
     /** The tests made so far. */
     public long tests() {
         return ray.tests + collector.tests();
     }
 
     /** Lets the visitor look at everything that may lie on the line; returns whether it stopped. */
-    boolean visit(SceneIndex.Visitor visitor) {
+    public boolean visit(SceneIndex.Visitor visitor) {
         return scene.visit(ray, fromObject, fromPrimitive, visitor);
     }
 
-    /** Asks the object that stopped this light last. */
-    boolean isStoppedByLastBlocker() {
+    /** Asks the object that was last remembered to stop this light, if there is one. */
+    public boolean isStoppedByLastBlocker() {
         int blocker = lastBlocker[light];
         if (!remembersBlockers || blocker == NO_BLOCKER) {
             return false;
@@ -85,7 +101,8 @@ public final class ShadowRay {
         return stopped;
     }
 
-    void remember(int blocker) {
+    /** Notes the object that stopped the light, so that it is asked first for the next point. */
+    public void remember(int blocker) {
         lastBlocker[light] = blocker;
     }
 }
