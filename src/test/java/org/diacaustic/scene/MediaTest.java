@@ -84,12 +84,6 @@ class MediaTest {
     }
 
     @Test
-    void cross_givenTouchingSpheres_doesNotStayInGlass() {
-        assertThat(walk(new Vector3(-7, 0, 0), ball(-1), ball(1)).last).isEqualTo(Medium.VACUUM);
-        assertThat(walk(new Vector3(-7, 0, 0), ball(1), ball(-1)).last).isEqualTo(Medium.VACUUM);
-    }
-
-    @Test
     void lookAt_givenTouchingBoundariesInEitherOrder_endsInTheSameMedium() {
         SceneIndex scene = index(solid(box(0, 1), GLASS, 0), solid(box(1, 2), WATER, 0));
         MediumStack media = new MediumStack(scene);
