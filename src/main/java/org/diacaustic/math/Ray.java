@@ -12,6 +12,9 @@ public final class Ray {
     /** The value of {@link #leaving} of a ray that starts in free space. */
     public static final int FREE = -1;
 
+    /** How many errors of its start a ray may need to get off a surface that it leaves at a flat angle. */
+    private static final double ROUNDING_ERRORS = 0x1p12;
+
     public double originX;
     public double originY;
     public double originZ;
@@ -28,7 +31,10 @@ public final class Ray {
      */
     public int leaving;
 
-    /** How far the origin may lie off the surface that the ray leaves, measured in t. 0 in free space. */
+    /**
+     * How far the origin may lie off the surface that the ray leaves, measured in t: the error of the point ÷ the
+     * length of the direction. 0 in free space.
+     */
     public double departureError;
 
     /** The primitive of the nearest hit so far: a number that its shape gave it. */
@@ -54,6 +60,9 @@ public final class Ray {
     /** How many entries of the stack are in use. Nested hierarchies use it one above the other. */
     public int stackTop;
 
+    /** Where shapes that solve for several roots keep them; of no meaning between calls. */
+    public final double[] roots = new double[4];
+
     private Ray local;
 
     /** Sets a ray in free space without end, and forgets the last answer. */
@@ -77,11 +86,12 @@ public final class Ray {
     }
 
     /**
-     * The smallest t that a shape may report which knows nothing better: beyond the rounding error of the start if the
-     * ray leaves this very shape, 0 otherwise. Shapes that can leave out their starting point exactly do so instead.
+     * The smallest t for a shape that cannot tell which of its points the ray leaves: well beyond the rounding error of
+     * the start if the ray leaves this very shape, 0 otherwise. It lets such a shape be used at any scale; shapes that
+     * know better leave out exactly their starting point.
      */
     public double nearest() {
-        return leaving == FREE ? 0 : departureError;
+        return leaving == FREE ? 0 : ROUNDING_ERRORS * departureError;
     }
 
     /** Notes a nearer hit. */

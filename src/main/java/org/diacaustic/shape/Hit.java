@@ -1,5 +1,7 @@
 package org.diacaustic.shape;
 
+import org.diacaustic.math.Ray;
+
 /**
  * Where a ray met a surface: filled in once, for the nearest hit only, by {@link Shape#complete}. Mutable and owned by
  * one task. All normals point outward and have length 1.
@@ -48,6 +50,14 @@ public final class Hit {
     public double tangentVX;
     public double tangentVY;
     public double tangentVZ;
+
+    /** Takes over what the ray noted of its nearest hit, before {@link Shape#complete}. */
+    public void take(Ray ray) {
+        t = ray.tMax;
+        primitive = ray.hitPrimitive;
+        noteU = ray.hitU;
+        noteV = ray.hitV;
+    }
 
     public void setPoint(double px, double py, double pz, double error) {
         x = px;

@@ -48,55 +48,37 @@ public final class Sphere implements Shape {
         double dx = ray.directionX;
         double dy = ray.directionY;
         double dz = ray.directionZ;
-        double fx = ray.originX - centreX;
-        double fy = ray.originY - centreY;
-        double fz = ray.originZ - centreZ;
-        double a = dx * dx + dy * dy + dz * dz;
-        double b = -(fx * dx + fy * dy + fz * dz);
-        if (ray.leaving != Ray.FREE) {
-            // The start is a root; what remains is linear: a·t = 2b, ahead only if the ray goes inward.
-            return accept(ray, 2 * b / a);
-        }
-        // The part of f at right angles to the ray gives the discriminant without cancellation [Haines et al. 2019].
-        double along = b / a;
-        double px = Math.fma(along, dx, fx);
-        double py = Math.fma(along, dy, fy);
-        double pz = Math.fma(along, dz, fz);
-        double discriminant = a * ((radius * radius) - (px * px + py * py + pz * pz));
-        if (!(discriminant >= 0)) {
-            return false;
-        }
-        double distance = Math.sqrt(fx * fx + fy * fy + fz * fz);
-        double c = (distance - radius) * (distance + radius);
-        double q = b + Math.copySign(Math.sqrt(discriminant), b);
-        double near = b > 0 ? c / q : q / a;
-        return accept(ray, near) || (near <= 0 && accept(ray, b > 0 ? q / a : c / q));
-    }
-
-    private static boolean accept(Ray ray, double t) {
-        if (t > 0 && t < ray.tMax) {
-            ray.hit(t, 0);
-            return true;
-        }
-        return false;
+        double departure = ray.departureError == 0 ? 0 : ray.departureError * Arithmetic.length(dx, dy, dz);
+        return SphereRoots.intersect(
+                ray,
+                ray.originX - centreX,
+                ray.originY - centreY,
+                ray.originZ - centreZ,
+                dx,
+                dy,
+                dz,
+                radius,
+                departure);
     }
 
     @Override
     public void complete(Ray ray, Hit hit) {
-        double nx = ray.pointX(hit.t) - centreX;
-        double ny = ray.pointY(hit.t) - centreY;
-        double nz = ray.pointZ(hit.t) - centreZ;
-        double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
-        nx /= length;
-        ny /= length;
-        nz /= length;
+        double fx = Math.fma(hit.t, ray.directionX, ray.originX - centreX);
+        double fy = Math.fma(hit.t, ray.directionY, ray.originY - centreY);
+        double fz = Math.fma(hit.t, ray.directionZ, ray.originZ - centreZ);
+        double length = Math.sqrt(fx * fx + fy * fy + fz * fz);
         double largest = Math.max(Math.abs(centreX), Math.max(Math.abs(centreY), Math.abs(centreZ)));
         hit.setPoint(
-                Math.fma(radius, nx, centreX),
-                Math.fma(radius, ny, centreY),
-                Math.fma(radius, nz, centreZ),
+                Math.fma(radius, fx / length, centreX),
+                Math.fma(radius, fy / length, centreY),
+                Math.fma(radius, fz / length, centreZ),
                 Arithmetic.gamma(6) * (largest + radius));
-        hit.setNormal(nx, ny, nz);
+        // The normal of the point as rounded: a ray that leaves it outward is then outward to intersect too.
+        double nx = hit.x - centreX;
+        double ny = hit.y - centreY;
+        double nz = hit.z - centreZ;
+        double normalLength = Math.sqrt(nx * nx + ny * ny + nz * nz);
+        hit.setNormal(nx / normalLength, ny / normalLength, nz / normalLength);
     }
 
     @Override

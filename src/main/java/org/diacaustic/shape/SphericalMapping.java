@@ -38,6 +38,7 @@ public final class SphericalMapping implements InverseMapping {
         double z = hit.z - centre.z();
         map(x, y, z, hit);
         tangents(x, y, z, hit);
+        Projection.ofTangents(hit, x, y, z);
     }
 
     /** Sets u and v of the direction (x, y, z), of any length. */
@@ -47,8 +48,7 @@ public final class SphericalMapping implements InverseMapping {
         double alongThird = x * third.x() + y * third.y() + z * third.z();
         double fromAxis = Arithmetic.length(alongEquator, alongThird, 0);
         double v = StrictMath.atan2(fromAxis, -alongPole) / Math.PI;
-        double turn = fromAxis == 0 ? 0 : StrictMath.atan2(alongThird, alongEquator) / (2 * Math.PI);
-        hit.setMap(turn < 0 ? turn + 1 : turn, v);
+        hit.setMap(AxisFrame.turn(alongEquator, alongThird), v);
     }
 
     /** Sets the tangents of the point at (x, y, z) from the centre: around the pole, and towards it. */

@@ -1,0 +1,146 @@
+package org.diacaustic.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import org.diacaustic.image.Exposure;
+import org.diacaustic.image.ImageFiles;
+import org.diacaustic.image.ImageFormat;
+import org.diacaustic.render.RenderJob;
+import org.diacaustic.render.RenderPlan;
+import org.diacaustic.render.Rendering;
+import org.diacaustic.scenefile.SceneFile;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code render}: a scene file becomes a picture. */
+@Command(
+        name = "render",
+        mixinStandardHelpOptions = true,
+        versionProvider = Version.class,
+        description = "Renders a scene file to a picture.")
+final class RenderCommand implements Callable<Integer> {
+    /** What {@code diacaustic SCENE} adds: the picture goes beside the scene, over none but our own. */
+    static final String BESIDE = "--beside";
+
+    @Spec
+    private picocli.CommandLine.Model.CommandSpec spec;
+
+    @Mixin
+    private SceneOptions options;
+
+    @Option(
+            names = {"-o", "--output"},
+            paramLabel = "OUT",
+            description = "Picture: .png .tga .hdr .pfm .exr")
+    private Path output;
+
+    @Option(names = BESIDE, hidden = true)
+    private boolean beside;
+
+    @Option(names = "--threads", paramLabel = "N", description = "Threads; 0 for all cores (default).")
+    private int threads;
+
+    @Option(names = "--stats", paramLabel = "FILE", description = "Write statistics as JSON.")
+    private Path stats;
+
+    @Option(
+            names = "--progress",
+            paramLabel = "KIND",
+            converter = ProgressKind.Converter.class,
+            defaultValue = "auto",
+            description = "auto, plain, json, none (default: ${DEFAULT-VALUE}).")
+    private ProgressKind progress;
+
+    @Override
+    public Integer call() throws IOException {
+        if (threads < 0) {
+            throw new ParameterException(spec.commandLine(), "--threads must be at least 0, but is " + threads);
+        }
+        Path picture = picture();
+        ImageFiles.checkWritable(picture);
+        if (stats != null) {
+            StatisticsFile.checkWritable(stats);
+        }
+        Stopwatch watch = new Stopwatch();
+        SceneFile scene = options.read();
+        ImageFormat.of(picture)
+                .checkSize(
+                        scene.scene().camera().width(), scene.scene().camera().height());
+        watch.lap("parse");
+        RenderPlan plan = RenderPlan.of(scene.scene(), scene.settings());
+        watch.lap("plan");
+        int workers = threads == 0 ? Runtime.getRuntime().availableProcessors() : threads;
+        RenderJob job = new RenderJob(plan, workers, progress.listener(System.err));
+        Interruption interruption = Interruption.cancelling(job);
+        try {
+            Rendering rendering = job.run();
+            watch.lap("render");
+            Path target = rendering.isComplete() ? picture : partialName(picture);
+            Exposure exposure = exposure(plan, rendering);
+            ImageFiles.write(rendering.image(), exposure, target);
+            watch.lap("write");
+            report(rendering, exposure, target, watch);
+            if (stats != null) {
+                StatisticsFile.write(stats, plan, rendering, exposure, watch);
+            }
+        } finally {
+            interruption.saved();
+        }
+        return ExitCode.DONE;
+    }
+
+    private Path picture() throws IOException {
+        if (output != null) {
+            return output;
+        }
+        if (!beside) {
+            throw new ParameterException(spec.commandLine(), "missing required option -o OUT");
+        }
+        Path picture = Path.of(options.path().toString().replaceFirst("\\.[^.]*$", "") + ".png");
+        if (Files.exists(picture) && !ImageFiles.isOurs(picture)) {
+            throw new CommandFailure(
+                    ExitCode.FILE,
+                    picture + ": is there already and was not made by diacaustic; choose a name with -o");
+        }
+        return picture;
+    }
+
+    /** OUT.partial.png for OUT.png: a picture that was interrupted never takes the place of a whole one. */
+    private static Path partialName(Path picture) {
+        return Path.of(picture.toString().replaceFirst("(\\.[^.]*)$", ".partial$1"));
+    }
+
+    private static Exposure exposure(RenderPlan plan, Rendering rendering) {
+        return plan.settings().isExposureAutomatic()
+                ? Exposure.auto(rendering.image())
+                : Exposure.fixed(plan.settings().exposure());
+    }
+
+    private static void report(Rendering rendering, Exposure exposure, Path target, Stopwatch watch) {
+        boolean linear = ImageFormat.of(target).isLinear();
+        String line = String.format(
+                Locale.ROOT,
+                "%s: %d x %d, %s, %.2f s",
+                target,
+                rendering.image().width(),
+                rendering.image().height(),
+                linear ? "linear radiance" : String.format(Locale.ROOT, "exposure %.6g", exposure.factor()),
+                watch.total());
+        if (rendering.isComplete()) {
+            System.out.println(line);
+        } else {
+            System.err.printf(
+                    Locale.ROOT,
+                    "diacaustic: interrupted; saved %.0f %% of the picture as %s%n",
+                    100.0 * rendering.tilesDone() / rendering.tilesTotal(),
+                    line);
+        }
+        rendering.nonFiniteReport().ifPresent(warning -> System.err.println("diacaustic: warning: " + warning));
+    }
+}

@@ -1,0 +1,51 @@
+package org.diacaustic.render;
+
+/** What a render did, counted as the thesis counts it [Thesis 5.2]. Mutable; each task has its own, summed at the end. */
+public final class Counters {
+    long eyeRays;
+    long shadowRays;
+    long reflectionRays;
+    long refractionRays;
+    long intersectionTests;
+    long nonFiniteSamples;
+    /** The first pixel, in reading order, of a sample that was not finite; the largest long if there is none. */
+    long firstNonFinitePixel = Long.MAX_VALUE;
+
+    void add(Counters other) {
+        eyeRays += other.eyeRays;
+        shadowRays += other.shadowRays;
+        reflectionRays += other.reflectionRays;
+        refractionRays += other.refractionRays;
+        intersectionTests += other.intersectionTests;
+        nonFiniteSamples += other.nonFiniteSamples;
+        firstNonFinitePixel = Math.min(firstNonFinitePixel, other.firstNonFinitePixel);
+    }
+
+    /** Rays through the picture, lens and supersampling included. */
+    public long eyeRays() {
+        return eyeRays;
+    }
+
+    /** Straight lines to lights that were followed. */
+    public long shadowRays() {
+        return shadowRays;
+    }
+
+    public long reflectionRays() {
+        return reflectionRays;
+    }
+
+    public long refractionRays() {
+        return refractionRays;
+    }
+
+    /** Tests of a ray against a primitive or a bounding volume. */
+    public long intersectionTests() {
+        return intersectionTests;
+    }
+
+    /** Samples that were infinite or not a number: left out of the picture, and 0 unless something is wrong. */
+    public long nonFiniteSamples() {
+        return nonFiniteSamples;
+    }
+}

@@ -1,0 +1,144 @@
+package org.diacaustic.render;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.ServiceLoader;
+import org.diacaustic.light.Light;
+import org.diacaustic.math.Arithmetic;
+import org.diacaustic.scene.MediumLocator;
+import org.diacaustic.scene.MediumStack;
+import org.diacaustic.scene.Scene;
+import org.diacaustic.scene.SceneIndex;
+import org.diacaustic.scene.Settings;
+import org.diacaustic.shader.NonRefractiveShader;
+import org.diacaustic.shader.NonTransparentShader;
+import org.diacaustic.shader.Shader;
+
+/**
+ * A scene and settings resolved, once, into what runs and what is left out, each with its reason. Immutable; the passes
+ * read nothing else.
+ */
+public final class RenderPlan {
+    /** Pixels along the side of a tile. A constant, so that what a tile counts does not depend on the machine. */
+    static final int TILE_SIZE = 16;
+
+    private final Scene scene;
+    private final Settings settings;
+    private final SceneIndex index;
+    private final Shader shader;
+    private final MediumStack mediaAtEye;
+    private final Light[] visibleLights;
+    private final List<Decision> decisions;
+
+    private RenderPlan(Scene scene, Settings settings, Map<String, Shader> shaders) {
+        this.scene = scene;
+        this.settings = settings;
+        this.index = SceneIndex.of(scene.objects(), settings.usesListOrder());
+        PlanReasons reasons = new PlanReasons(scene, settings, index);
+        String name = settings.shader().equals(Settings.AUTO) ? reasons.bestShader() : settings.shader();
+        this.shader = shaders.get(name);
+        if (shader == null) {
+            throw new PlanException(
+                    "unknown shader '" + name + "'; known are auto, " + String.join(", ", shaders.keySet()));
+        }
+        this.mediaAtEye = MediumLocator.locate(index, scene.camera().from());
+        this.visibleLights = scene.lights().stream().filter(Light::isVisible).toArray(Light[]::new);
+        this.decisions = reasons.decisions(shader.name());
+    }
+
+    /**
+     * Plans a render with the built-in shading models and those that {@link ServiceLoader} finds.
+     *
+     * @throws PlanException if a name is unknown or choices exclude each other
+     */
+    public static RenderPlan of(Scene scene, Settings settings) {
+        List<Shader> found = new ArrayList<>();
+        ServiceLoader.load(Shader.class).forEach(found::add);
+        return of(scene, settings, found);
+    }
+
+    /** Plans a render with shading models of the caller's beside the built-in ones. */
+    public static RenderPlan of(Scene scene, Settings settings, List<Shader> additional) {
+        Map<String, Shader> shaders = new LinkedHashMap<>();
+        shaders.put(NonTransparentShader.NAME, new NonTransparentShader());
+        shaders.put(NonRefractiveShader.NAME, new NonRefractiveShader(settings.scatterRules(), settings.attenuates()));
+        additional.forEach(shader -> shaders.put(shader.name(), shader));
+        return new RenderPlan(scene, settings, shaders);
+    }
+
+    public Scene scene() {
+        return scene;
+    }
+
+    public Settings settings() {
+        return settings;
+    }
+
+    public Shader shader() {
+        return shader;
+    }
+
+    /** What runs and what is left out, in the order in which it would run. */
+    public List<Decision> decisions() {
+        return decisions;
+    }
+
+    /** The bytes that the picture itself takes; the largest long if that is too small a number. */
+    public long imageBytes() {
+        long pixels = (long) scene.camera().width() * scene.camera().height();
+        long bytesPerPixel = 3L * Float.BYTES;
+        return pixels > Long.MAX_VALUE / bytesPerPixel ? Long.MAX_VALUE : pixels * bytesPerPixel;
+    }
+
+    SceneIndex index() {
+        return index;
+    }
+
+    /** The media the eye is in; not to be changed. */
+    MediumStack mediaAtEye() {
+        return mediaAtEye;
+    }
+
+    Light[] visibleLights() {
+        return visibleLights;
+    }
+
+    /** Diffuse radiance ÷ (reflected fraction × irradiance): 1/π, or 1 in the thesis. */
+    double diffuseFactor() {
+        return settings.normalizesDiffuse() ? 1 / Math.PI : 1;
+    }
+
+    /** The radiance of a highlight ÷ (mirrored fraction × irradiance), at a cosine from the mirrored direction. */
+    double highlight(double cosine, double exponent) {
+        if (cosine <= 0) {
+            return 0;
+        }
+        double lobe = StrictMath.pow(Arithmetic.clamp(cosine, 0, 1), exponent);
+        return settings.normalizesHighlights() ? lobe * (exponent + 1) / (2 * Math.PI) : lobe;
+    }
+
+    int tilesAcross() {
+        return (scene.camera().width() + TILE_SIZE - 1) / TILE_SIZE;
+    }
+
+    int tilesDown() {
+        return (scene.camera().height() + TILE_SIZE - 1) / TILE_SIZE;
+    }
+
+    /** @throws ResourceLimitException if the picture does not fit in the memory that is left */
+    void requireMemory() {
+        Runtime runtime = Runtime.getRuntime();
+        long available = runtime.maxMemory() - (runtime.totalMemory() - runtime.freeMemory());
+        long needed = imageBytes();
+        long pixels = (long) scene.camera().width() * scene.camera().height();
+        if (needed > available || pixels > (Integer.MAX_VALUE - 8) / 3) {
+            throw new ResourceLimitException(
+                    "a picture of " + scene.camera().width() + " x "
+                            + scene.camera().height(),
+                    needed,
+                    Math.min(available, 4L * Integer.MAX_VALUE));
+        }
+    }
+}

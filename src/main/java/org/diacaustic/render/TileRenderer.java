@@ -1,0 +1,93 @@
+package org.diacaustic.render;
+
+import org.diacaustic.image.LinearImage;
+import org.diacaustic.math.Rgb;
+import org.diacaustic.math.SampleStream;
+import org.diacaustic.scene.Camera;
+import org.diacaustic.scene.Settings;
+
+/** Renders tiles of the picture, one after the other, for one thread. */
+final class TileRenderer {
+    private final RenderPlan plan;
+    private final LinearImage image;
+    private final EyeTracer tracer;
+    private final Rgb sum = new Rgb();
+
+    TileRenderer(RenderPlan plan, LinearImage image) {
+        this.plan = plan;
+        this.image = image;
+        this.tracer = new EyeTracer(plan);
+    }
+
+    Counters counters() {
+        return tracer.counters();
+    }
+
+    /**
+     * Renders one tile.
+     *
+     * @return false if it was stopped before its end
+     */
+    boolean render(int tile, StopSignal stop) {
+        tracer.startTask();
+        int left = tile % plan.tilesAcross() * RenderPlan.TILE_SIZE;
+        int top = tile / plan.tilesAcross() * RenderPlan.TILE_SIZE;
+        int right = Math.min(left + RenderPlan.TILE_SIZE, image.width());
+        int bottom = Math.min(top + RenderPlan.TILE_SIZE, image.height());
+        for (int y = top; y < bottom; y++) {
+            for (int x = left; x < right; x++) {
+                if (!renderPixel(x, y, stop)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    private boolean renderPixel(int x, int y, StopSignal stop) {
+        Settings settings = plan.settings();
+        Camera camera = plan.scene().camera();
+        long pixel = (long) y * image.width() + x;
+        SampleStream random = tracer.random();
+        random.start(settings.seed(), 0, pixel);
+        int samples = settings.samples();
+        boolean spread = samples > 1;
+        boolean lens = camera.lensRadius() > 0;
+        double shiftY = random.nextDouble();
+        double lensShiftU = random.nextDouble();
+        double lensShiftV = random.nextDouble();
+        sum.set(0, 0, 0);
+        for (int i = 0; i < samples; i++) {
+            double across = spread ? (i + random.nextDouble()) / samples : 0.5;
+            double down = spread ? Stratification.shiftedInverse(i, 2, shiftY) : 0.5;
+            camera.aim(
+                    x + across,
+                    y + down,
+                    lens ? Stratification.shiftedInverse(i, 3, lensShiftU) : 0,
+                    lens ? Stratification.shiftedInverse(i, 5, lensShiftV) : 0,
+                    tracer.ray());
+            Rgb radiance = tracer.trace(stop);
+            if (stop.isSet()) {
+                return false;
+            }
+            add(radiance, pixel);
+        }
+        sum.scale(1.0 / samples);
+        if (settings.clamps()) {
+            sum.set(Math.min(1, sum.red), Math.min(1, sum.green), Math.min(1, sum.blue));
+        }
+        image.set(x, y, sum);
+        return true;
+    }
+
+    /** Adds a sample; one that is infinite or not a number is counted and left out. */
+    private void add(Rgb radiance, long pixel) {
+        if (Double.isFinite(radiance.red) && Double.isFinite(radiance.green) && Double.isFinite(radiance.blue)) {
+            sum.add(radiance);
+        } else {
+            Counters counters = tracer.counters();
+            counters.nonFiniteSamples++;
+            counters.firstNonFinitePixel = Math.min(counters.firstNonFinitePixel, pixel);
+        }
+    }
+}

@@ -1,0 +1,81 @@
+package org.diacaustic.shader;
+
+import org.diacaustic.material.Material;
+import org.diacaustic.material.Surface;
+import org.diacaustic.math.Ray;
+import org.diacaustic.scene.SceneIndex;
+import org.diacaustic.shape.Hit;
+import org.diacaustic.shape.Shape;
+
+/**
+ * Stops at the first opaque object on a shadow ray and gathers all crossings of the transparent ones. All crossings of
+ * one object count as one test, as in the thesis, where a test returned all intersection points [Thesis 3.2.2].
+ */
+final class CrossingCollector implements SceneIndex.Visitor {
+    final Crossings crossings = new Crossings();
+    private final ShadowRay shadow;
+    private final Ray part = new Ray();
+    private final Hit hit = new Hit();
+    private final Surface surface = new Surface();
+
+    CrossingCollector(ShadowRay shadow) {
+        this.shadow = shadow;
+    }
+
+    long tests() {
+        return part.tests;
+    }
+
+    @Override
+    public boolean stopsAt(int object, Ray ray) {
+        if (!shadow.scene.isOpaque(object)) {
+            gather(object, ray);
+            return false;
+        }
+        if (!shadow.scene.object(object).shape().occludes(ray)) {
+            return false;
+        }
+        shadow.remember(object);
+        return true;
+    }
+
+    private void gather(int object, Ray ray) {
+        Shape shape = shadow.scene.object(object).shape();
+        part.set(ray.originX, ray.originY, ray.originZ, ray.directionX, ray.directionY, ray.directionZ);
+        part.tMax = ray.tMax;
+        part.leaving = ray.leaving;
+        part.departureError = ray.departureError;
+        double travelled = 0;
+        boolean found = shape.intersect(part);
+        long tests = part.tests;
+        while (found) {
+            hit.take(part);
+            shape.complete(part, hit);
+            travelled += hit.t;
+            add(object, travelled);
+            part.set(hit.x, hit.y, hit.z, ray.directionX, ray.directionY, ray.directionZ);
+            part.tMax = ray.tMax - travelled;
+            part.leaving = hit.primitive;
+            part.departureError = hit.pointError;
+            found = shape.intersect(part);
+        }
+        part.tests = tests;
+    }
+
+    private void add(int object, double distance) {
+        Material material = shadow.scene.object(object).material();
+        if (material.needsMap()) {
+            shadow.scene.object(object).shape().inverseMap(hit);
+        }
+        material.evaluate(hit, surface);
+        double along = part.directionX * hit.normalX + part.directionY * hit.normalY + part.directionZ * hit.normalZ;
+        crossings.add(
+                distance,
+                object,
+                along < 0,
+                Math.min(1, Math.abs(along)),
+                surface.transparency.red,
+                surface.transparency.green,
+                surface.transparency.blue);
+    }
+}

@@ -1,0 +1,43 @@
+package org.diacaustic.math;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+
+class CompensatedSumTest {
+    private final CompensatedSum sum = new CompensatedSum();
+
+    @Test
+    void value_givenNothing_isZero() {
+        assertThat(sum.value()).isZero();
+    }
+
+    @Test
+    void value_givenHugeTermsThatCancel_keepsTheSmallOnes() {
+        // The plain sum, and Kahan's, are 0.
+        for (double value : new double[] {1, 1e100, 1, -1e100}) {
+            sum.add(value);
+        }
+        assertThat(sum.value()).isEqualTo(2);
+    }
+
+    @Test
+    void value_givenTenMillionPowers_isExactToTheLastDigits() {
+        // 10⁷ times the float nearest 10⁻⁷ is 1.000000011686097423…; a running float sum is 6 % off.
+        for (int i = 0; i < 10_000_000; i++) {
+            sum.add(1e-7f);
+        }
+        assertThat(sum.value()).isCloseTo(1.000000011686097423, within(3e-16));
+    }
+
+    @Test
+    void value_givenWhatIsNotFinite_saysSo() {
+        sum.add(1);
+        sum.add(Double.POSITIVE_INFINITY);
+        sum.add(1);
+        assertThat(sum.value()).isEqualTo(Double.POSITIVE_INFINITY);
+        sum.add(Double.NEGATIVE_INFINITY);
+        assertThat(sum.value()).isNaN();
+    }
+}
