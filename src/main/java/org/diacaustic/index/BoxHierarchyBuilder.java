@@ -1,7 +1,7 @@
 package org.diacaustic.index;
 
 import java.util.Arrays;
-import java.util.concurrent.RecursiveTask;
+import java.util.concurrent.ForkJoinTask;
 import org.diacaustic.math.Arithmetic;
 import org.diacaustic.math.Bounds;
 
@@ -187,16 +187,9 @@ final class BoxHierarchyBuilder {
 
         private void buildShared(int node, int start, int middle, int end, int depth) {
             Branch other = new Branch(end - middle);
-            RecursiveTask<Integer> task = new RecursiveTask<>() {
-                private static final long serialVersionUID = 1L;
-
-                @Override
-                protected Integer compute() {
-                    // Node 0 of the branch only receives the box of its root.
-                    other.addNode();
-                    return other.build(middle, end, depth + 1, 0);
-                }
-            };
+            // Node 0 of the branch only receives the box of its root.
+            other.addNode();
+            ForkJoinTask<Integer> task = ForkJoinTask.adapt(() -> other.build(middle, end, depth + 1, 0));
             task.fork();
             int first = build(start, middle, depth + 1, 12 * node);
             children[2 * node] = first;

@@ -48,13 +48,7 @@ public final class Ray {
     /** Tests against primitives and bounding volumes made for this ray and its predecessors in the same task. */
     public long tests;
 
-    /** 1 ÷ direction, filled in by {@link #invertDirection()} before a hierarchy of boxes is entered. */
-    public double inverseX;
-
-    public double inverseY;
-    public double inverseZ;
-
-    /** Where the hierarchies of boxes that this ray is in keep their open nodes; see {@link #stackTop}. */
+    /** Where the hierarchies that this ray is in keep their open nodes; see {@link #stackTop}. */
     public int[] stack = new int[128];
 
     /** The entry distances of the nodes in {@link #stack}. */
@@ -104,12 +98,6 @@ public final class Ray {
     public void hit(double t, int primitive) {
         tMax = t;
         hitPrimitive = primitive;
-    }
-
-    public void invertDirection() {
-        inverseX = 1 / directionX;
-        inverseY = 1 / directionY;
-        inverseZ = 1 / directionZ;
     }
 
     /** Makes room for {@code entries} more entries of the traversal stack. */
