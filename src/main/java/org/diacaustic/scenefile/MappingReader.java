@@ -28,7 +28,7 @@ import org.diacaustic.scenefile.Node.Sequence;
  * }
  * }</pre>
  */
-public final class MappingReader {
+final class MappingReader {
     private final Section section;
     private final String path;
     private final Mapping mapping;
