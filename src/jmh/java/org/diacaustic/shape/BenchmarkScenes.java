@@ -43,13 +43,11 @@ final class BenchmarkScenes {
 
     /** Nine children, four levels: 7,381 spheres. */
     static Sphereflake flake() {
-        return new Sphereflake(Sphereflake.Kind.CLASSIC, 4, Vector3.ZERO, 1, 1.0 / 3, Vector3.UNIT_Y, Vector3.UNIT_X);
+        return new Sphereflake(FlakeKind.CLASSIC, 4, Vector3.ZERO, 1);
     }
 
-    /** x, y, z and radius of each sphere of the flake. */
-    static double[] flakeSpheres() {
-        return new FlakeSpheres(Sphereflake.Kind.CLASSIC, 4, Vector3.ZERO, 1, 1.0 / 3, Vector3.UNIT_Y, Vector3.UNIT_X)
-                .spheres;
+    static FlakeSpheres flakeSpheres() {
+        return new FlakeSpheres(FlakeKind.CLASSIC, 4, Vector3.ZERO, 1, 1.0 / 3, Vector3.UNIT_Y, Vector3.UNIT_X);
     }
 
     /** Rays of a pinhole camera in scan-line order, or from anywhere in the bounds to anywhere; six numbers each. */
@@ -59,7 +57,7 @@ final class BenchmarkScenes {
 
     private static double[] cameraRays(Bounds bounds) {
         Vector3 centre = bounds.centre();
-        Vector3 eye = centre.plus(new Vector3(0.5, 1.2, -1.6).times(1.3 * bounds.radius()));
+        Vector3 eye = centre.plus(new Vector3(0.5, 1.2, -1.6).times(bounds.radius()));
         Vector3 forward = centre.minus(eye).normalized();
         Vector3 right = Vector3.UNIT_Y.cross(forward).normalized();
         Vector3 up = forward.cross(right);
@@ -72,7 +70,7 @@ final class BenchmarkScenes {
                     rays,
                     i,
                     eye,
-                    forward.plus(right.times(0.8 * x)).plus(up.times(0.8 * y)).normalized());
+                    forward.plus(right.times(0.6 * x)).plus(up.times(0.6 * y)).normalized());
         }
         return rays;
     }

@@ -3,6 +3,7 @@ package org.diacaustic.cli;
 import java.io.IOException;
 import java.util.concurrent.Callable;
 import org.diacaustic.render.RenderPlan;
+import org.diacaustic.scene.Scene;
 import org.diacaustic.scenefile.Problems;
 import org.diacaustic.scenefile.SceneFile;
 import picocli.CommandLine.Command;
@@ -30,11 +31,17 @@ final class CheckCommand implements Callable<Integer> {
             return problems.exitCode();
         }
         RenderPlan.of(file.scene(), file.settings());
-        System.out.println(
-                options.path() + ": no errors; " + file.scene().objects().size() + " objects, "
-                        + file.scene().lights().size() + " lights, "
-                        + file.scene().camera().width() + " x "
-                        + file.scene().camera().height() + " pixels");
+        System.out.println(options.path() + ": OK, " + summary(file.scene()));
         return ExitCode.DONE;
+    }
+
+    private static String summary(Scene scene) {
+        return count(scene.objects().size(), "object") + ", "
+                + count(scene.lights().size(), "light") + ", "
+                + scene.camera().width() + " x " + scene.camera().height() + " pixels";
+    }
+
+    private static String count(int number, String noun) {
+        return number + " " + noun + (number == 1 ? "" : "s");
     }
 }

@@ -83,7 +83,7 @@ final class CompareCommand implements Callable<Integer> {
             values.forEach(writer::put);
             counts.forEach(writer::put);
             writer.end();
-            System.out.println(writer);
+            System.out.print(writer);
         } else {
             values.forEach((name, value) -> System.out.printf(Locale.ROOT, "%-14s %.6g%n", name, value));
             counts.forEach((name, value) -> System.out.printf(Locale.ROOT, "%-14s %d%n", name, value));

@@ -9,6 +9,7 @@ import org.diacaustic.render.PlanException;
 import org.diacaustic.render.ResourceLimitException;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.UnmatchedArgumentException;
 
 /** Turns what went wrong into one line on standard error and an exit code. */
 final class Failures {
@@ -17,8 +18,16 @@ final class Failures {
     static int usage(ParameterException failure, String[] arguments) {
         CommandLine command = failure.getCommandLine();
         String name = command.getCommandSpec().qualifiedName();
-        System.err.println(name + ": " + oneLine(failure.getMessage()) + "; see " + name + " --help");
+        System.err.println(name + ": " + oneLine(failure.getMessage()) + advice(failure, name));
         return ExitCode.BAD_INPUT;
+    }
+
+    private static String advice(ParameterException failure, String name) {
+        if (failure instanceof UnmatchedArgumentException unmatched
+                && !unmatched.getSuggestions().isEmpty()) {
+            return "; did you mean '" + unmatched.getSuggestions().get(0) + "'?";
+        }
+        return "; see " + name + " --help";
     }
 
     static int execution(Exception failure, CommandLine command, CommandLine.ParseResult parsed) {
@@ -32,6 +41,13 @@ final class Failures {
             failure.printStackTrace();
         }
         return code;
+    }
+
+    static int memory(OutOfMemoryError failure) {
+        long mebibytes = Runtime.getRuntime().maxMemory() >> 20;
+        System.err.println("diacaustic: out of memory (" + oneLine(String.valueOf(failure.getMessage()))
+                + "); java may use " + mebibytes + " MiB, and more with -Xmx");
+        return ExitCode.LIMIT;
     }
 
     static int exitCode(Throwable failure) {

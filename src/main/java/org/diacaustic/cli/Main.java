@@ -3,6 +3,9 @@ package org.diacaustic.cli;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.function.Supplier;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.HelpCommand;
@@ -24,38 +27,60 @@ import picocli.CommandLine.HelpCommand;
             "3:a file cannot be read or written",
             "4:a resource limit, or a target that was not reached",
             "130, 143:interrupted; the picture so far is saved"
-        },
-        subcommands = {
-            RenderCommand.class,
-            PlanCommand.class,
-            CheckCommand.class,
-            CompareCommand.class,
-            HelpCommand.class
         })
 public final class Main {
+    private static final Map<String, Supplier<Object>> COMMANDS = commands();
+
     private Main() {}
+
+    private static Map<String, Supplier<Object>> commands() {
+        Map<String, Supplier<Object>> commands = new LinkedHashMap<>();
+        commands.put("render", RenderCommand::new);
+        commands.put("plan", PlanCommand::new);
+        commands.put("check", CheckCommand::new);
+        commands.put("compare", CompareCommand::new);
+        commands.put("help", HelpCommand::new);
+        return commands;
+    }
 
     /** Runs the command line and ends the process with its exit code. */
     public static void main(String[] arguments) {
+        // No option has such a type, and to load them costs a small render a fiftieth.
+        System.setProperty("picocli.converters.excludes", "java.sql.*,java.time.*");
         System.exit(run(arguments));
     }
 
     /** Runs the command line and returns its exit code. */
     static int run(String... arguments) {
-        CommandLine commandLine = new CommandLine(new Main());
-        commandLine.setParameterExceptionHandler(Failures::usage);
-        commandLine.setExecutionExceptionHandler(Failures::execution);
-        commandLine.setCaseInsensitiveEnumValuesAllowed(true);
         if (arguments.length == 0) {
-            commandLine.usage(System.err);
+            commandLine("").usage(System.err);
             return ExitCode.BAD_INPUT;
         }
-        return commandLine.execute(namesScene(commandLine, arguments[0]) ? renderBeside(arguments) : arguments);
+        String[] words = namesScene(arguments[0]) ? renderBeside(arguments) : arguments;
+        try {
+            return commandLine(words[0]).execute(words);
+        } catch (OutOfMemoryError tooSmall) {
+            return Failures.memory(tooSmall);
+        }
     }
 
-    private static boolean namesScene(CommandLine commandLine, String first) {
+    /** Knows the command that is asked for; all of them if it is none, or help: each takes a while to describe. */
+    private static CommandLine commandLine(String asked) {
+        CommandLine commandLine = new CommandLine(new Main());
+        boolean one = COMMANDS.containsKey(asked) && !asked.equals("help");
+        COMMANDS.forEach((name, command) -> {
+            if (!one || name.equals(asked)) {
+                commandLine.addSubcommand(name, command.get());
+            }
+        });
+        commandLine.setParameterExceptionHandler(Failures::usage);
+        commandLine.setExecutionExceptionHandler(Failures::execution);
+        return commandLine;
+    }
+
+    private static boolean namesScene(String first) {
         return !first.startsWith("-")
-                && !commandLine.getSubcommands().containsKey(first)
+                && !COMMANDS.containsKey(first)
                 && (Files.exists(Path.of(first)) || first.matches("(?i).*\\.(ya?ml|json)"));
     }
 

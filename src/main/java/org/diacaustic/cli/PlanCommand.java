@@ -31,7 +31,7 @@ final class PlanCommand implements Callable<Integer> {
             writer.beginObject();
             PlanJson.write(plan, writer);
             writer.end();
-            System.out.println(writer);
+            System.out.print(writer);
         } else {
             for (Decision decision : plan.decisions()) {
                 System.out.println(decision);

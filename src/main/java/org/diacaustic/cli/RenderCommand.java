@@ -52,6 +52,7 @@ final class RenderCommand implements Callable<Integer> {
     @Option(
             names = "--progress",
             paramLabel = "KIND",
+            converter = ProgressKind.Converter.class,
             defaultValue = "auto",
             description = "auto, plain, json, none (default: ${DEFAULT-VALUE}).")
     private ProgressKind progress;
@@ -101,8 +102,7 @@ final class RenderCommand implements Callable<Integer> {
         if (!beside) {
             throw new ParameterException(spec.commandLine(), "missing required option -o OUT");
         }
-        String name = options.path().getFileName().toString().replaceFirst("\\.[^.]*$", "") + ".png";
-        Path picture = options.path().resolveSibling(name);
+        Path picture = Path.of(options.path().toString().replaceFirst("\\.[^.]*$", "") + ".png");
         if (Files.exists(picture) && !ImageFiles.isOurs(picture)) {
             throw new CommandFailure(
                     ExitCode.FILE,
@@ -113,9 +113,7 @@ final class RenderCommand implements Callable<Integer> {
 
     /** OUT.partial.png for OUT.png: a picture that was interrupted never takes the place of a whole one. */
     private static Path partialName(Path picture) {
-        String name = picture.getFileName().toString();
-        int dot = name.lastIndexOf('.');
-        return picture.resolveSibling(name.substring(0, dot) + ".partial" + name.substring(dot));
+        return Path.of(picture.toString().replaceFirst("(\\.[^.]*)$", ".partial$1"));
     }
 
     private static Exposure exposure(RenderPlan plan, Rendering rendering) {

@@ -53,7 +53,7 @@ final class StatisticsFile {
         json.end();
         json.put("errorEstimate", Double.NaN);
         json.end();
-        WholeFile.write(path, out -> out.write((json + "\n").getBytes(StandardCharsets.UTF_8)));
+        WholeFile.write(path, out -> out.write(json.toString().getBytes(StandardCharsets.UTF_8)));
     }
 
     private static void counters(Counters counters, JsonWriter json) {

@@ -30,10 +30,10 @@ public final class ImageFiles {
     }
 
     /**
-     * Checks before a render, without changing anything, that {@link #write} can be expected to work.
+     * Checks before a render that {@link #write} can be expected to work, leaving everything as it was.
      *
      * @throws IllegalArgumentException if the ending is unknown
-     * @throws IOException if the folder does not exist or cannot be written to, or the path names a folder
+     * @throws IOException if the folder does not exist or cannot be written to, or the path names a folder or a device
      */
     public static void checkWritable(Path path) throws IOException {
         ImageFormat.of(path);

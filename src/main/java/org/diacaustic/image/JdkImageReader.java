@@ -8,6 +8,7 @@ import java.awt.image.DataBuffer;
 import java.awt.image.Raster;
 import java.io.IOException;
 import java.util.Iterator;
+import javax.imageio.IIOException;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
@@ -56,6 +57,12 @@ final class JdkImageReader {
                 throw new IOException(truncation[0]);
             }
             return toLinear(picture);
+        } catch (IIOException e) {
+            // A heap that is too small is no fault of the file.
+            if (e.getCause() instanceof OutOfMemoryError tooSmall) {
+                throw tooSmall;
+            }
+            throw e;
         } catch (RuntimeException e) {
             // The readers answer broken content with whatever went wrong inside them.
             throw new IOException("the content is damaged (" + e + ")", e);

@@ -39,6 +39,7 @@ final class PngCodec implements ImageCodec {
         writeChunk(out, "IHDR", header, header.length);
         byte[] perceptualIntent = {0};
         writeChunk(out, "sRGB", perceptualIntent, 1);
+        writeChunk(out, "tEXt", SOFTWARE, SOFTWARE.length);
         Deflater deflater = new Deflater(COMPRESSION_LEVEL);
         try {
             OutputStream compressed = new DeflaterOutputStream(new DataChunks(out), deflater, 1 << 13);
@@ -104,7 +105,10 @@ final class PngCodec implements ImageCodec {
 
     @Override
     public LinearImage read(ImageSource source) throws IOException {
-        return JdkImageReader.read(source);
+        PngChecksums in = new PngChecksums(source.in());
+        LinearImage image = JdkImageReader.read(new ImageSource(in, source.limit()));
+        in.requireSound();
+        return image;
     }
 
     /** Cuts the compressed data into IDAT chunks. Closing writes the last one and leaves the file open. */

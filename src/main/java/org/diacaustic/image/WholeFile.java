@@ -8,7 +8,6 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
-import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 
@@ -62,9 +61,9 @@ public final class WholeFile {
     }
 
     /**
-     * Checks, without changing anything, that {@link #write} can be expected to work.
+     * Checks that {@link #write} can be expected to work, leaving everything as it was.
      *
-     * @throws IOException if the folder does not exist or cannot be written to, or the path names a folder
+     * @throws IOException if the folder does not exist or cannot be written to, or the path names a folder or a device
      */
     public static void checkWritable(Path path) throws IOException {
         Path folder = folderOf(path);
@@ -72,13 +71,19 @@ public final class WholeFile {
             throw new NoSuchFileException(folder.toString(), null, "the folder does not exist");
         }
         if (!Files.isDirectory(folder)) {
-            throw new NotDirectoryException(folder.toString());
+            throw new FileSystemException(folder.toString(), null, "is a file, not a folder");
         }
         if (Files.isDirectory(path)) {
             throw new FileSystemException(path.toString(), null, "is a folder, not a file");
         }
-        if (!Files.isWritable(folder)) {
-            throw new FileSystemException(folder.toString(), null, "the folder cannot be written to");
+        if (Files.exists(path) && !Files.isRegularFile(path)) {
+            throw new FileSystemException(path.toString(), null, "is a device, not a file");
+        }
+        try {
+            // Permissions do not tell all: some file systems refuse new files to everyone.
+            Files.delete(createTemporary(path));
+        } catch (IOException refused) {
+            throw new FileSystemException(folder.toString(), null, "no file can be made in the folder");
         }
     }
 

@@ -8,10 +8,11 @@ import java.util.Arrays;
  * decided by axis, then by place. Working storage of one thread.
  */
 final class Bins {
-    private static final int BINS = 16;
+    /** The number of bins on an axis; small ranges have one for each item. */
+    private static final int LARGEST_BINS = 16;
 
     /** The cost of a node's two box tests, in tests of one item. */
-    private static final float NODE_COST = Integer.getInteger("nodecost", 10) / 10f;
+    private static final float NODE_COST = 2;
 
     private final float[] boxes;
     private final int[] items;
@@ -23,11 +24,12 @@ final class Bins {
     /** The range of twice the centres on each axis: low and high. */
     private final float[] centres = new float[6];
 
-    private final float[] binBoxes = new float[3 * BINS * 6];
-    private final int[] binCounts = new int[3 * BINS];
-    private final float[] costFromRight = new float[BINS];
+    private final float[] binBoxes = new float[3 * LARGEST_BINS * 6];
+    private final int[] binCounts = new int[3 * LARGEST_BINS];
+    private final float[] costFromRight = new float[LARGEST_BINS];
     private final float[] sweep = new float[6];
 
+    private int bins;
     private int cutAxis;
     private int cutBin;
     private float cutCost;
@@ -59,13 +61,12 @@ final class Bins {
 
     /** Finds the best cut of the measured range; false if all centres are the same. */
     boolean findCut(int start, int end) {
-        Arrays.fill(binCounts, 0);
-        for (int bin = 0; bin < 3 * BINS; bin++) {
+        bins = Math.min(LARGEST_BINS, end - start);
+        Arrays.fill(binCounts, 0, 3 * bins, 0);
+        for (int bin = 0; bin < 3 * bins; bin++) {
             clear(binBoxes, 6 * bin);
         }
-        for (int axis = 0; axis < 3; axis++) {
-            sort(start, end, axis);
-        }
+        sort(start, end);
         cutCost = Float.POSITIVE_INFINITY;
         cutAxis = -1;
         for (int axis = 0; axis < 3; axis++) {
@@ -76,45 +77,56 @@ final class Bins {
         return cutAxis >= 0;
     }
 
-    private void sort(int start, int end, int axis) {
-        float origin = centres[2 * axis];
-        float perUnit = binsPerUnit(axis);
-        if (perUnit == 0) {
-            return;
-        }
+    private void sort(int start, int end) {
+        float perUnitX = binsPerUnit(0);
+        float perUnitY = binsPerUnit(1);
+        float perUnitZ = binsPerUnit(2);
         for (int position = start; position < end; position++) {
             int i = 6 * items[position];
-            int bin = axis * BINS + bin(i, axis, origin, perUnit);
-            binCounts[bin]++;
-            int place = 6 * bin;
-            include(binBoxes, place, boxes[i], boxes[i + 1]);
-            include(binBoxes, place + 2, boxes[i + 2], boxes[i + 3]);
-            include(binBoxes, place + 4, boxes[i + 4], boxes[i + 5]);
+            float lowX = boxes[i];
+            float highX = boxes[i + 1];
+            float lowY = boxes[i + 2];
+            float highY = boxes[i + 3];
+            float lowZ = boxes[i + 4];
+            float highZ = boxes[i + 5];
+            int binX = bin(lowX + highX, centres[0], perUnitX);
+            int binY = bin(lowY + highY, centres[2], perUnitY) + bins;
+            int binZ = bin(lowZ + highZ, centres[4], perUnitZ) + 2 * bins;
+            put(binX, lowX, highX, lowY, highY, lowZ, highZ);
+            put(binY, lowX, highX, lowY, highY, lowZ, highZ);
+            put(binZ, lowX, highX, lowY, highY, lowZ, highZ);
         }
+    }
+
+    private void put(int bin, float lowX, float highX, float lowY, float highY, float lowZ, float highZ) {
+        binCounts[bin]++;
+        int place = 6 * bin;
+        include(binBoxes, place, lowX, highX);
+        include(binBoxes, place + 2, lowY, highY);
+        include(binBoxes, place + 4, lowZ, highZ);
     }
 
     private float binsPerUnit(int axis) {
         float extent = centres[2 * axis + 1] - centres[2 * axis];
-        return extent > 0 ? BINS / extent : 0;
+        return extent > 0 ? bins / extent : 0;
     }
 
-    private int bin(int i, int axis, float origin, float perUnit) {
-        float centre = boxes[i + 2 * axis] + boxes[i + 2 * axis + 1];
-        return Math.min(BINS - 1, (int) ((centre - origin) * perUnit));
+    private int bin(float centre, float origin, float perUnit) {
+        return Math.min(bins - 1, (int) ((centre - origin) * perUnit));
     }
 
     private void sweep(int axis) {
-        int first = axis * BINS;
+        int first = axis * bins;
         clear(sweep, 0);
         int count = 0;
-        for (int bin = BINS - 1; bin > 0; bin--) {
+        for (int bin = bins - 1; bin > 0; bin--) {
             count += binCounts[first + bin];
             join(6 * (first + bin));
             costFromRight[bin] = count == 0 ? Float.POSITIVE_INFINITY : count * area(sweep);
         }
         clear(sweep, 0);
         count = 0;
-        for (int bin = 1; bin < BINS; bin++) {
+        for (int bin = 1; bin < bins; bin++) {
             count += binCounts[first + bin - 1];
             join(6 * (first + bin - 1));
             float cost = count == 0 ? Float.POSITIVE_INFINITY : count * area(sweep) + costFromRight[bin];
@@ -140,13 +152,14 @@ final class Bins {
 
     /** Orders items[start, end) by the side of the cut, each side in its former order; returns where the sides meet. */
     int partition(int start, int end) {
-        float origin = centres[2 * cutAxis];
+        int side = 2 * cutAxis;
+        float origin = centres[side];
         float perUnit = binsPerUnit(cutAxis);
         int left = start;
         int right = start;
         for (int position = start; position < end; position++) {
             int item = items[position];
-            if (bin(6 * item, cutAxis, origin, perUnit) < cutBin) {
+            if (bin(boxes[side + 6 * item] + boxes[side + 6 * item + 1], origin, perUnit) < cutBin) {
                 items[left++] = item;
             } else {
                 spare[right++] = item;

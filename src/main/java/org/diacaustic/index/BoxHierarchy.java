@@ -32,17 +32,20 @@ public final class BoxHierarchy {
     /** The largest number of items in a leaf. */
     public static final int LARGEST_LEAF = 1 << BoxHierarchyBuilder.COUNT_BITS;
 
-    /** What a ray keeps on its stack for this tree, below its open nodes: three numbers an axis and the start. */
-    private static final int FRAME = 10;
+    /** What a ray keeps on its stack for this tree, below its open nodes: three numbers an axis. */
+    private static final int FRAME = 9;
 
-    /** Bounds the relative error of a slab's far end, and of the near end that it is compared with [Ize 2013]. */
-    private static final double ROUND_OUT = 1 + 2 * Arithmetic.gamma(4);
+    /** Bounds the relative errors of the two ends of a slab, which are computed in floats [Ize 2013]. */
+    private static final float ROUND_OUT = 1 + 0x1p-20f;
 
-    /** Bounds the relative error of origin ÷ direction in the tree's frame. */
-    private static final double ORIGIN_ERROR = Arithmetic.gamma(4);
+    /** Bounds the errors of origin ÷ direction in floats, relative to it. */
+    private static final double FLOAT_ERROR = 0x1p-21;
 
-    /** Stands for 1 ÷ 0: infinite for every plane there is, but its product with 0 is 0. */
-    private static final double LARGEST_INVERSE = 0x1p900;
+    /** Bounds the errors of the origin in the frame of the tree in doubles, relative to it. */
+    private static final double ORIGIN_ERROR = 0x1p-49;
+
+    /** Stands for 1 ÷ 0: beyond every plane there is, but its product with 0 is 0. */
+    private static final double LARGEST_INVERSE = 0x1p100;
 
     private static final int NO_CHILD = Integer.MIN_VALUE;
 
@@ -57,7 +60,10 @@ public final class BoxHierarchy {
     private final double originX;
     private final double originY;
     private final double originZ;
-    private final double scale;
+    private final double inverseScale;
+    private final double halfX;
+    private final double halfY;
+    private final double halfZ;
     private final Bounds bounds;
 
     BoxHierarchy(BoxHierarchyBuilder builder) {
@@ -68,8 +74,11 @@ public final class BoxHierarchy {
         this.originX = builder.originX();
         this.originY = builder.originY();
         this.originZ = builder.originZ();
-        this.scale = builder.scale();
+        this.inverseScale = 1 / builder.scale();
         this.bounds = builder.bounds();
+        this.halfX = halfSize(bounds.minX(), bounds.maxX());
+        this.halfY = halfSize(bounds.minY(), bounds.maxY());
+        this.halfZ = halfSize(bounds.minZ(), bounds.maxZ());
     }
 
     /**
@@ -80,6 +89,11 @@ public final class BoxHierarchy {
      */
     public static BoxHierarchy over(double[] boxes) {
         return new BoxHierarchy(new BoxHierarchyBuilder(boxes).build());
+    }
+
+    /** Half the extent of the tree in its own frame, rounded up. */
+    private double halfSize(double min, double max) {
+        return (max / 2 - min / 2) * inverseScale + 0x1p-50;
     }
 
     /** The number of items. */
@@ -115,34 +129,66 @@ public final class BoxHierarchy {
     public int enter(Ray ray) {
         ray.reserveStack(FRAME + BoxHierarchyBuilder.LARGEST_DEPTH + 1);
         int base = ray.stackTop + FRAME;
-        double[] frame = ray.stackDistance;
-        setSlabs(frame, base - 10, (ray.originX - originX) / scale, ray.directionX);
-        setSlabs(frame, base - 7, (ray.originY - originY) / scale, ray.directionY);
-        setSlabs(frame, base - 4, (ray.originZ - originZ) / scale, ray.directionZ);
-        // What lies at the start may lie a rounding error behind it.
-        double start = ray.leaving == Ray.FREE ? 0 : -ray.departureError;
-        frame[base - 1] = start;
         ray.stackTop = base;
-        if (items.length > 0) {
-            ray.stack[base] = root;
-            frame[base] = start;
-            ray.stackTop = base + 1;
+        if (items.length == 0) {
+            return base;
         }
+        ray.tests++;
+        double ox = (ray.originX - originX) * inverseScale;
+        double oy = (ray.originY - originY) * inverseScale;
+        double oz = (ray.originZ - originZ) * inverseScale;
+        double dx = ray.directionX * inverseScale;
+        double dy = ray.directionY * inverseScale;
+        double dz = ray.directionZ * inverseScale;
+        // Distances on the stack are t · speed, of the order of the tree's own size.
+        double speed = Arithmetic.powerOfTwoNear(Math.max(Math.abs(dx), Math.max(Math.abs(dy), Math.abs(dz))));
+        dx /= speed;
+        dy /= speed;
+        dz /= speed;
+        double ix = inverse(dx);
+        double iy = inverse(dy);
+        double iz = inverse(dz);
+        double px = -ox * ix;
+        double py = -oy * iy;
+        double pz = -oz * iz;
+        double hx = Math.abs(ix) * (halfX + Math.abs(ox) * ORIGIN_ERROR);
+        double hy = Math.abs(iy) * (halfY + Math.abs(oy) * ORIGIN_ERROR);
+        double hz = Math.abs(iz) * (halfZ + Math.abs(oz) * ORIGIN_ERROR);
+        double entry = Math.max(px - hx, Math.max(py - hy, pz - hz)) * (1 - 0x1p-49);
+        double exit = Math.min(px + hx, Math.min(py + hy, pz + hz)) * (1 + 0x1p-49);
+        double departure = ray.leaving == Ray.FREE ? 0 : ray.departureError * speed;
+        if (!(entry <= exit && exit >= -departure && entry <= ray.tMax * speed)) {
+            return base;
+        }
+        // From far away, the walk begins where the ray reaches the tree, so that floats are enough from there on. What
+        // lies at the start of a ray may lie a rounding error behind it.
+        double skipped = entry > 0 ? entry : -departure;
+        float[] frame = ray.stackDistance;
+        setSlabs(frame, base - 9, ix, Math.fma(skipped, dx, ox), ox);
+        setSlabs(frame, base - 6, iy, Math.fma(skipped, dy, oy), oy);
+        setSlabs(frame, base - 3, iz, Math.fma(skipped, dz, oz), oz);
+        ray.stackFrame[base - 2] = skipped;
+        ray.stackFrame[base - 1] = speed;
+        ray.stack[base] = root;
+        frame[base] = 0;
+        ray.stackTop = base + 1;
         return base;
     }
 
+    private static double inverse(double direction) {
+        return Math.copySign(Math.min(Math.abs(1 / direction), LARGEST_INVERSE), direction);
+    }
+
     /**
-     * A ray is at a plane p of this axis at t = p·inverse + offset. The offset is kept twice, lowered for near planes and
-     * raised for far ones, by the rounding of the origin.
+     * A ray is at a plane p of this axis at p·inverse + offset. The offset is kept twice, lowered for near planes and
+     * raised for far ones, by the rounding errors of all that it comes from.
      */
-    private void setSlabs(double[] frame, int place, double origin, double direction) {
-        double limit = LARGEST_INVERSE;
-        double inverse = Math.copySign(Math.min(Math.abs(1 / (direction / scale)), limit), direction);
-        double offset = -origin * inverse;
-        double error = Math.abs(offset) * ORIGIN_ERROR;
-        frame[place] = inverse;
-        frame[place + 1] = offset - error;
-        frame[place + 2] = offset + error;
+    private static void setSlabs(float[] frame, int place, double inverse, double start, double origin) {
+        double offset = -start * inverse;
+        double error = Math.abs(inverse) * (Math.abs(start) * FLOAT_ERROR + Math.abs(origin) * ORIGIN_ERROR);
+        frame[place] = (float) inverse;
+        frame[place + 1] = (float) (offset - error);
+        frame[place + 2] = (float) (offset + error);
     }
 
     /**
@@ -155,21 +201,23 @@ public final class BoxHierarchy {
         float[] planes = this.planes;
         int[] children = this.children;
         int[] stack = ray.stack;
-        double[] distance = ray.stackDistance;
-        double inverseX = distance[base - 10];
-        double nearX = distance[base - 9];
-        double farX = distance[base - 8];
-        double inverseY = distance[base - 7];
-        double nearY = distance[base - 6];
-        double farY = distance[base - 5];
-        double inverseZ = distance[base - 4];
-        double nearZ = distance[base - 3];
-        double farZ = distance[base - 2];
-        double start = distance[base - 1];
+        float[] distance = ray.stackDistance;
+        float inverseX = distance[base - 9];
+        float nearX = distance[base - 8];
+        float farX = distance[base - 7];
+        float inverseY = distance[base - 6];
+        float nearY = distance[base - 5];
+        float farY = distance[base - 4];
+        float inverseZ = distance[base - 3];
+        float nearZ = distance[base - 2];
+        float farZ = distance[base - 1];
         int lowX = inverseX < 0 ? 1 : 0;
         int lowY = inverseY < 0 ? 3 : 2;
         int lowZ = inverseZ < 0 ? 5 : 4;
-        double tMax = ray.tMax * ROUND_OUT;
+        double skipped = ray.stackFrame[base - 2];
+        double speed = ray.stackFrame[base - 1];
+        float tMax = (float) (ray.tMax * speed * (1 + ORIGIN_ERROR) - skipped) * ROUND_OUT;
+        int end = Float.floatToRawIntBits(tMax);
         int top = ray.stackTop;
         int nodes = 0;
         while (top > base) {
@@ -182,45 +230,37 @@ public final class BoxHierarchy {
                 nodes++;
                 int first = 12 * node;
                 int second = first + 6;
-                double entry = start;
-                double exit = tMax;
-                double t = Math.fma(planes[first + lowX], inverseX, nearX);
-                entry = t > entry ? t : entry;
-                t = Math.fma(planes[first + lowY], inverseY, nearY);
-                entry = t > entry ? t : entry;
-                t = Math.fma(planes[first + lowZ], inverseZ, nearZ);
-                entry = t > entry ? t : entry;
-                t = Math.fma(planes[first + (lowX ^ 1)], inverseX, farX) * ROUND_OUT;
-                exit = t < exit ? t : exit;
-                t = Math.fma(planes[first + (lowY ^ 1)], inverseY, farY) * ROUND_OUT;
-                exit = t < exit ? t : exit;
-                t = Math.fma(planes[first + (lowZ ^ 1)], inverseZ, farZ) * ROUND_OUT;
-                exit = t < exit ? t : exit;
-                boolean entersFirst = entry <= exit;
-
-                double entry2 = start;
-                double exit2 = tMax;
-                t = Math.fma(planes[second + lowX], inverseX, nearX);
-                entry2 = t > entry2 ? t : entry2;
-                t = Math.fma(planes[second + lowY], inverseY, nearY);
-                entry2 = t > entry2 ? t : entry2;
-                t = Math.fma(planes[second + lowZ], inverseZ, nearZ);
-                entry2 = t > entry2 ? t : entry2;
-                t = Math.fma(planes[second + (lowX ^ 1)], inverseX, farX) * ROUND_OUT;
-                exit2 = t < exit2 ? t : exit2;
-                t = Math.fma(planes[second + (lowY ^ 1)], inverseY, farY) * ROUND_OUT;
-                exit2 = t < exit2 ? t : exit2;
-                t = Math.fma(planes[second + (lowZ ^ 1)], inverseZ, farZ) * ROUND_OUT;
-                exit2 = t < exit2 ? t : exit2;
-                boolean entersSecond = entry2 <= exit2;
-
+                int low1 = Math.max(
+                        Math.max(0, bits(Math.fma(planes[first + lowX], inverseX, nearX))),
+                        Math.max(
+                                bits(Math.fma(planes[first + lowY], inverseY, nearY)),
+                                bits(Math.fma(planes[first + lowZ], inverseZ, nearZ))));
+                int high1 = Math.min(
+                        Math.min(end, bits(Math.fma(planes[first + (lowX ^ 1)], inverseX, farX))),
+                        Math.min(
+                                bits(Math.fma(planes[first + (lowY ^ 1)], inverseY, farY)),
+                                bits(Math.fma(planes[first + (lowZ ^ 1)], inverseZ, farZ))));
+                float entry1 = Float.intBitsToFloat(low1);
+                boolean entersFirst = entry1 <= Float.intBitsToFloat(high1) * ROUND_OUT;
+                int low2 = Math.max(
+                        Math.max(0, bits(Math.fma(planes[second + lowX], inverseX, nearX))),
+                        Math.max(
+                                bits(Math.fma(planes[second + lowY], inverseY, nearY)),
+                                bits(Math.fma(planes[second + lowZ], inverseZ, nearZ))));
+                int high2 = Math.min(
+                        Math.min(end, bits(Math.fma(planes[second + (lowX ^ 1)], inverseX, farX))),
+                        Math.min(
+                                bits(Math.fma(planes[second + (lowY ^ 1)], inverseY, farY)),
+                                bits(Math.fma(planes[second + (lowZ ^ 1)], inverseZ, farZ))));
+                float entry2 = Float.intBitsToFloat(low2);
+                boolean entersSecond = entry2 <= Float.intBitsToFloat(high2) * ROUND_OUT;
                 if (entersFirst) {
                     int child = children[2 * node];
                     if (entersSecond) {
                         int other = children[2 * node + 1];
-                        if (entry2 < entry) {
+                        if (entry2 < entry1) {
                             stack[top] = child;
-                            distance[top++] = entry;
+                            distance[top++] = entry1;
                             node = other;
                         } else {
                             stack[top] = other;
@@ -243,6 +283,10 @@ public final class BoxHierarchy {
         ray.tests += 2L * nodes;
         leave(ray, base);
         return DONE;
+    }
+
+    private static int bits(float value) {
+        return Float.floatToRawIntBits(value);
     }
 
     /** Ends a walk before it is {@link #DONE}. */

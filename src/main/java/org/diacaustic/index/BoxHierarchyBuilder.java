@@ -1,7 +1,7 @@
 package org.diacaustic.index;
 
 import java.util.Arrays;
-import java.util.concurrent.RecursiveTask;
+import java.util.concurrent.ForkJoinTask;
 import org.diacaustic.math.Arithmetic;
 import org.diacaustic.math.Bounds;
 
@@ -20,7 +20,7 @@ final class BoxHierarchyBuilder {
     /** Below this depth ranges are halved, which ends within 2^28 items. */
     private static final int LARGEST_HEURISTIC_DEPTH = LARGEST_DEPTH - 28;
 
-    private static final int LARGEST_LEAF = Integer.getInteger("leaf", 8);
+    private static final int LARGEST_LEAF = 8;
 
     /** Ranges from this size on are shared between threads. */
     private static final int SHARED_SIZE = 1 << 14;
@@ -187,16 +187,9 @@ final class BoxHierarchyBuilder {
 
         private void buildShared(int node, int start, int middle, int end, int depth) {
             Branch other = new Branch(end - middle);
-            RecursiveTask<Integer> task = new RecursiveTask<>() {
-                private static final long serialVersionUID = 1L;
-
-                @Override
-                protected Integer compute() {
-                    // Node 0 of the branch only receives the box of its root.
-                    other.addNode();
-                    return other.build(middle, end, depth + 1, 0);
-                }
-            };
+            // Node 0 of the branch only receives the box of its root.
+            other.addNode();
+            ForkJoinTask<Integer> task = ForkJoinTask.adapt(() -> other.build(middle, end, depth + 1, 0));
             task.fork();
             int first = build(start, middle, depth + 1, 12 * node);
             children[2 * node] = first;

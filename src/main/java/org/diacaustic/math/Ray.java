@@ -12,6 +12,9 @@ public final class Ray {
     /** The value of {@link #leaving} of a ray that starts in free space. */
     public static final int FREE = -1;
 
+    /** How many errors of its start a ray may need to get off a surface that it leaves at a flat angle. */
+    private static final double ROUNDING_ERRORS = 0x1p12;
+
     public double originX;
     public double originY;
     public double originZ;
@@ -45,17 +48,14 @@ public final class Ray {
     /** Tests against primitives and bounding volumes made for this ray and its predecessors in the same task. */
     public long tests;
 
-    /** 1 ÷ direction, filled in by {@link #invertDirection()} before a hierarchy of boxes is entered. */
-    public double inverseX;
-
-    public double inverseY;
-    public double inverseZ;
-
-    /** Where the hierarchies of boxes that this ray is in keep their open nodes; see {@link #stackTop}. */
-    public int[] stack = new int[64];
+    /** Where the hierarchies that this ray is in keep their open nodes; see {@link #stackTop}. */
+    public int[] stack = new int[128];
 
     /** The entry distances of the nodes in {@link #stack}. */
-    public double[] stackDistance = new double[64];
+    public float[] stackDistance = new float[128];
+
+    /** What a hierarchy keeps beside {@link #stackDistance} that does not fit into floats. */
+    public double[] stackFrame = new double[128];
 
     /** How many entries of the stack are in use. Nested hierarchies use it one above the other. */
     public int stackTop;
@@ -86,11 +86,12 @@ public final class Ray {
     }
 
     /**
-     * The smallest t that a shape may report which knows nothing better: beyond the rounding error of the start if the
-     * ray leaves this very shape, 0 otherwise. Shapes that can leave out their starting point exactly do so instead.
+     * The smallest t for a shape that cannot tell which of its points the ray leaves: well beyond the rounding error of
+     * the start if the ray leaves this very shape, 0 otherwise. It lets such a shape be used at any scale; shapes that
+     * know better leave out exactly their starting point.
      */
     public double nearest() {
-        return leaving == FREE ? 0 : departureError;
+        return leaving == FREE ? 0 : ROUNDING_ERRORS * departureError;
     }
 
     /** Notes a nearer hit. */
@@ -99,18 +100,13 @@ public final class Ray {
         hitPrimitive = primitive;
     }
 
-    public void invertDirection() {
-        inverseX = 1 / directionX;
-        inverseY = 1 / directionY;
-        inverseZ = 1 / directionZ;
-    }
-
     /** Makes room for {@code entries} more entries of the traversal stack. */
     public void reserveStack(int entries) {
         if (stackTop + entries > stack.length) {
             int size = Math.max(2 * stack.length, stackTop + entries);
             stack = java.util.Arrays.copyOf(stack, size);
             stackDistance = java.util.Arrays.copyOf(stackDistance, size);
+            stackFrame = java.util.Arrays.copyOf(stackFrame, size);
         }
     }
 

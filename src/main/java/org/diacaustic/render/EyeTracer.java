@@ -74,8 +74,11 @@ final class EyeTracer {
         return counters;
     }
 
-    /** The radiance that arrives along the aimed ray, valid until the next call. */
-    Rgb trace() {
+    /**
+     * The radiance that arrives along the aimed ray, valid until the next call; only a part of it if the signal is set
+     * meanwhile, for between mirrors a ray may go on for long.
+     */
+    Rgb trace(StopSignal stop) {
         counters.eyeRays++;
         radiance.set(0, 0, 0);
         carried.set(1, 1, 1);
@@ -92,7 +95,7 @@ final class EyeTracer {
                         0,
                         0)
                 .copyFrom(plan.mediaAtEye());
-        while (!pending.isEmpty()) {
+        while (!pending.isEmpty() && !stop.isSet()) {
             pending.pop(ray, throughput, media);
             follow(pending.depth(), pending.object(), pending.primitive());
         }

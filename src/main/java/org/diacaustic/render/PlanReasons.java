@@ -2,6 +2,8 @@ package org.diacaustic.render;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
+import org.diacaustic.material.Medium;
 import org.diacaustic.scene.Scene;
 import org.diacaustic.scene.SceneIndex;
 import org.diacaustic.scene.Settings;
@@ -27,16 +29,13 @@ final class PlanReasons {
         return traits.hasTransparency() ? NonRefractiveShader.NAME : NonTransparentShader.NAME;
     }
 
-    List<Decision> decisions(String shader) {
+    List<Decision> decisions(String shader, Medium atEye) {
         List<Decision> list = new ArrayList<>();
+        list.add(forwardPass());
         list.add(shader(shader));
+        list.add(filterWalk(shader));
         list.add(tree());
-        list.add(optional(
-                "filter walk",
-                traits.hasTransparency(),
-                "shadow rays through transparent objects",
-                "the scene has transparent objects",
-                "nothing is transparent"));
+        list.add(mediumAtEye(atEye));
         list.add(lens());
         list.add(optional(
                 "map coordinates",
@@ -60,6 +59,39 @@ final class PlanReasons {
                 "no light has a highlight exponent, or nothing reflects"));
         list.add(supersampling());
         return List.copyOf(list);
+    }
+
+    private Decision forwardPass() {
+        List<String> specular = Stream.concat(traits.refracting().stream(), traits.mirroring().stream())
+                .distinct()
+                .toList();
+        return new Decision(
+                "forward pass",
+                false,
+                "light from lamps that is refracted or mirrored onto surfaces",
+                specular.isEmpty()
+                        ? "nothing refracts or mirrors"
+                        : "this version has none: caustics of " + String.join(", ", specular) + " are missing");
+    }
+
+    private Decision filterWalk(String shader) {
+        boolean used = traits.hasTransparency() && !shader.equals(NonTransparentShader.NAME);
+        return optional(
+                "filter walk",
+                used,
+                "shadow rays through transparent objects",
+                "the scene has transparent objects",
+                traits.hasTransparency() ? "the shading model stops at any object" : "nothing is transparent");
+    }
+
+    private static Decision mediumAtEye(Medium medium) {
+        boolean vacuum = medium.equals(Medium.VACUUM);
+        return optional(
+                "medium at the eye",
+                !vacuum,
+                vacuum ? "a medium to start in" : "index of refraction " + medium.indexOfRefraction(),
+                "transparent objects say so",
+                "the eye is in empty space");
     }
 
     private boolean reflects() {

@@ -2,6 +2,7 @@ package org.diacaustic.render;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import org.diacaustic.image.LinearImage;
@@ -15,6 +16,7 @@ public final class RenderJob {
     private final int threads;
     private final ProgressListener listener;
     private final StopSignal stop = new StopSignal();
+    private final AtomicBoolean started = new AtomicBoolean();
     private final AtomicInteger nextTile = new AtomicInteger();
     private final AtomicReference<Throwable> failure = new AtomicReference<>();
     private final Object progressLock = new Object();
@@ -50,8 +52,12 @@ public final class RenderJob {
      * stays set.
      *
      * @return the picture; not complete if the job was cancelled
+     * @throws IllegalStateException if it has run already
      */
     public Rendering run() {
+        if (started.getAndSet(true)) {
+            throw new IllegalStateException("a job runs once");
+        }
         long start = System.nanoTime();
         LinearImage image = new LinearImage(
                 plan.scene().camera().width(), plan.scene().camera().height());

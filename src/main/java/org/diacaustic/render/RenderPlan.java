@@ -45,7 +45,7 @@ public final class RenderPlan {
         }
         this.mediaAtEye = MediumLocator.locate(index, scene.camera().from());
         this.visibleLights = scene.lights().stream().filter(Light::isVisible).toArray(Light[]::new);
-        this.decisions = reasons.decisions(shader.name());
+        this.decisions = reasons.decisions(shader.name(), mediaAtEye.current());
     }
 
     /**

@@ -1,6 +1,6 @@
 package org.diacaustic.render;
 
-/** Tells the threads of a job to stop; each looks at it before every eye ray. */
+/** Tells the threads of a job to stop; each looks at it before every ray that it follows. */
 final class StopSignal {
     private volatile boolean set;
 

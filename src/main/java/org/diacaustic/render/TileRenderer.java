@@ -58,9 +58,6 @@ final class TileRenderer {
         double lensShiftV = random.nextDouble();
         sum.set(0, 0, 0);
         for (int i = 0; i < samples; i++) {
-            if (stop.isSet()) {
-                return false;
-            }
             double across = spread ? (i + random.nextDouble()) / samples : 0.5;
             double down = spread ? Stratification.shiftedInverse(i, 2, shiftY) : 0.5;
             camera.aim(
@@ -69,7 +66,11 @@ final class TileRenderer {
                     lens ? Stratification.shiftedInverse(i, 3, lensShiftU) : 0,
                     lens ? Stratification.shiftedInverse(i, 5, lensShiftV) : 0,
                     tracer.ray());
-            add(tracer.trace(), pixel);
+            Rgb radiance = tracer.trace(stop);
+            if (stop.isSet()) {
+                return false;
+            }
+            add(radiance, pixel);
         }
         sum.scale(1.0 / samples);
         if (settings.clamps()) {

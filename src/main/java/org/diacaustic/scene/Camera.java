@@ -186,16 +186,16 @@ public final class Camera {
             Vector3 view = to.minus(from);
             if (!from.isFinite() || !view.isFinite() || !(view.length() > 0)) {
                 throw new IllegalArgumentException(
-                        "camera: 'from' " + from + " and 'to' " + to + " must be two different finite points");
+                        "a camera's 'from' " + from + " and 'to' " + to + " must be two different finite points");
             }
             Vector3 forward = view.normalized();
             if (!up.isFinite() || !(up.length() > 0)) {
-                throw new IllegalArgumentException("camera: 'up' must be a direction, but is " + up);
+                throw new IllegalArgumentException("a camera's 'up' must be a direction, but is " + up);
             }
             Vector3 right = forward.cross(up.normalized());
             if (!(right.length() > 1e-9)) {
                 throw new IllegalArgumentException(
-                        "camera: 'up' " + up + " must not run along the view from " + from + " to " + to);
+                        "a camera's 'up' " + up + " must not run along the view from " + from + " to " + to);
             }
             return new Camera(this, forward, right.normalized());
         }

@@ -3,6 +3,7 @@ package org.diacaustic.scene;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import org.diacaustic.math.Bounds;
 import org.diacaustic.math.Ray;
 import org.diacaustic.math.Vector3;
@@ -53,6 +54,18 @@ public final class MediumLocator {
             media.cross(boundary.object, true);
         }
         return media;
+    }
+
+    /** The first opaque closed object that holds {@code point}: an eye there sees nothing else. */
+    public static Optional<SceneObject> opaqueAround(List<SceneObject> objects, Vector3 point) {
+        return objects.stream()
+                .filter(object -> object.isOpaque() && object.shape().isClosed())
+                .filter(object -> object.shape().bounds().contains(point.x(), point.y(), point.z()))
+                .filter(object -> {
+                    Boundary boundary = boundary(0, object.shape(), point, PROBE);
+                    return boundary != null && boundary.fromInside;
+                })
+                .findFirst();
     }
 
     private static Vector3 towards(Shape shape, Bounds bounds, Vector3 point) {

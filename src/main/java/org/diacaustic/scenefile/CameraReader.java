@@ -1,5 +1,6 @@
 package org.diacaustic.scenefile;
 
+import java.util.Arrays;
 import org.diacaustic.math.Vector3;
 import org.diacaustic.scene.Camera;
 
@@ -16,10 +17,10 @@ final class CameraReader {
         double[] size = in.numbers("size", 2).or(new double[] {200, 200});
         double lensRadius = in.number("lens-radius").atLeast(0).or(0.0);
         double focus = in.number("focus-distance").above(0).or(Double.NaN);
-        for (double side : size) {
-            if (side != Math.rint(side) || side < 1 || side > Integer.MAX_VALUE) {
-                in.error("size", "expected a width and a height in whole pixels of at least 1, found " + side);
-            }
+        if (!isPixelCount(size[0]) || !isPixelCount(size[1])) {
+            in.error(
+                    "size",
+                    "expected a width and a height in whole pixels of at least 1, found " + Arrays.toString(size));
         }
         return Building.of(in, () -> {
             Camera.Builder camera = Camera.builder()
@@ -31,5 +32,9 @@ final class CameraReader {
             double distance = Double.isNaN(focus) ? to.minus(from).length() : focus;
             return (lensRadius > 0 ? camera.lens(lensRadius, distance) : camera).build();
         });
+    }
+
+    private static boolean isPixelCount(double side) {
+        return side == Math.rint(side) && side >= 1 && side <= Integer.MAX_VALUE;
     }
 }

@@ -6,7 +6,7 @@ import org.diacaustic.math.Color;
 import org.diacaustic.scenefile.Node.Sequence;
 
 /** A colour that has been asked for: three numbers, or one for grey, each in a range. */
-public final class ColorValue extends Value<Color> {
+final class ColorValue extends Value<Color> {
     private Range range = Range.ALL;
 
     ColorValue(Slot slot) {
@@ -26,7 +26,7 @@ public final class ColorValue extends Value<Color> {
     @Override
     String expected() {
         return "a colour, [red, green, blue] or one number for grey"
-                + (range.equals(Range.ALL) ? "" : ", each " + range.describe("").strip());
+                + (range.isWhole() ? "" : ", each " + range.describe("").strip());
     }
 
     @Override

@@ -5,7 +5,7 @@ import org.diacaustic.scenefile.Node.Scalar;
 import org.diacaustic.scenefile.Node.Sequence;
 
 /** The outward form of a value, for keys that allow more than one. */
-public enum Form {
+enum Form {
     ABSENT,
     NUMBER,
     TEXT,

@@ -5,7 +5,7 @@ import java.util.OptionalLong;
 import java.util.function.LongFunction;
 
 /** A whole number that has been asked for, with its range: {@code integer("samples").atLeast(1).or(16)}. */
-public final class IntegerValue<T> extends Value<T> {
+final class IntegerValue<T> extends Value<T> {
     private final LongFunction<T> convert;
     private final long lowest;
     private final long highest;

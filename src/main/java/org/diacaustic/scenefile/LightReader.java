@@ -30,6 +30,11 @@ final class LightReader {
             .with("none", new Falloff.None())
             .map();
 
+    private static final Map<String, Function<MappingReader, Falloff>> FALLOFF_KINDS = new Kinds<
+                    Function<MappingReader, Falloff>>()
+            .with("polynomial", LightReader::polynomial)
+            .map();
+
     private LightReader() {}
 
     static Optional<Light> read(Variant variant) {
@@ -100,12 +105,14 @@ final class LightReader {
         if (in.form("falloff") != Form.MAPPING) {
             return in.choice("falloff", FALLOFFS).or(new Falloff.InverseSquare());
         }
-        MappingReader polynomial = in.mapping("falloff").mapping("polynomial");
-        double constant = polynomial.number("constant").atLeast(0).or(0.0);
-        double linear = polynomial.number("linear").atLeast(0).or(0.0);
-        double quadratic = polynomial.number("quadratic").atLeast(0).or(0.0);
-        Falloff made = Building.of(polynomial, () -> new Falloff.Polynomial(constant, linear, quadratic));
-        return made == null ? new Falloff.None() : made;
+        return in.variant("falloff").read(FALLOFF_KINDS).orElse(new Falloff.None());
+    }
+
+    private static Falloff polynomial(MappingReader in) {
+        double constant = in.number("constant").atLeast(0).or(0.0);
+        double linear = in.number("linear").atLeast(0).or(0.0);
+        double quadratic = in.number("quadratic").atLeast(0).or(0.0);
+        return Building.of(in, () -> new Falloff.Polynomial(constant, linear, quadratic));
     }
 
     private static double highlightExponent(MappingReader in) {

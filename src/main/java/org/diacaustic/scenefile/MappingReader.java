@@ -28,7 +28,7 @@ import org.diacaustic.scenefile.Node.Sequence;
  * }
  * }</pre>
  */
-public final class MappingReader {
+final class MappingReader {
     private final Section section;
     private final String path;
     private final Mapping mapping;
@@ -301,6 +301,7 @@ public final class MappingReader {
             String key = entry.key().text();
             if (!asked.contains(key)) {
                 section.error(entry.key().place(), child(key), "unknown key" + advice(entry));
+                Suggestions.nearest(key, asked).ifPresent(meant -> section.misspelt(child(meant)));
             }
         }
         finished = true;

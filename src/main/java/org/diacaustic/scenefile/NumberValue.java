@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /** A number that has been asked for, with its range and unit: {@code number("radius").above(0).required()}. */
-public final class NumberValue extends Value<Double> {
+final class NumberValue extends Value<Double> {
     private Range range = Range.ALL;
     private String unit = "";
     private boolean infinityAllowed;

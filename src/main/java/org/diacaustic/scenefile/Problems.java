@@ -47,6 +47,13 @@ public final class Problems {
         }
     }
 
+    /** Takes back an error that another one, found later, tells better. */
+    void retract(Problem error) {
+        if (kept.remove(error)) {
+            errors--;
+        }
+    }
+
     public boolean hasErrors() {
         return errors > 0;
     }

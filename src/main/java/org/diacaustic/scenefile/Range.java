@@ -24,6 +24,10 @@ record Range(double low, boolean lowIncluded, double high, boolean highIncluded)
         return (lowIncluded ? value >= low : value > low) && (highIncluded ? value <= high : value < high);
     }
 
+    boolean isWhole() {
+        return low == Double.NEGATIVE_INFINITY && high == Double.POSITIVE_INFINITY;
+    }
+
     /** Some number of the range, near its lower end if it has one. */
     double inside() {
         if (Double.isInfinite(low)) {

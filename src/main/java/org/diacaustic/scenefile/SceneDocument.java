@@ -127,7 +127,7 @@ public final class SceneDocument {
     }
 
     /** The keys of the whole document. */
-    public MappingReader root() {
+    MappingReader root() {
         return new MappingReader(Section.ofDocument(problems, files), "", root);
     }
 }

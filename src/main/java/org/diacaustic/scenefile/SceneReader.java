@@ -8,6 +8,7 @@ import org.diacaustic.light.Light;
 import org.diacaustic.material.Material;
 import org.diacaustic.math.Color;
 import org.diacaustic.scene.Camera;
+import org.diacaustic.scene.MediumLocator;
 import org.diacaustic.scene.Scene;
 import org.diacaustic.scene.SceneObject;
 import org.diacaustic.scene.Settings;
@@ -31,7 +32,8 @@ public final class SceneReader {
     /** Reads a scene from a document, over which values may have been laid. */
     public static Optional<SceneFile> read(SceneDocument document, Problems problems) {
         MappingReader root = document.root();
-        Camera camera = CameraReader.read(root.mapping("camera"));
+        MappingReader view = root.mapping("camera");
+        Camera camera = CameraReader.read(view);
         Color background = root.color("background").atLeast(0).or(Color.BLACK);
         List<Light> lights = root.variants("lights").stream()
                 .map(LightReader::read)
@@ -44,6 +46,12 @@ public final class SceneReader {
         if (problems.hasErrors()) {
             return Optional.empty();
         }
+        if (objects.isEmpty()) {
+            root.warning("no objects: the picture shows the background only");
+        }
+        MediumLocator.opaqueAround(objects, camera.from())
+                .ifPresent(object ->
+                        view.warning("from", "the camera stands inside " + object.name() + ", which is opaque"));
         if (lights.isEmpty()) {
             root.warning("no lights: the picture shows ambient light and background only");
         }

@@ -41,7 +41,10 @@ final class SettingsReader {
 
     private static void exposure(MappingReader in, Settings.Builder settings) {
         if (in.form("exposure") == Form.TEXT) {
-            in.choice("exposure", Map.of("auto", true)).required();
+            String text = in.text("exposure").or("");
+            if (!text.equals("auto")) {
+                in.error("exposure", "expected a number above 0 or auto, found '" + text + "'");
+            }
             settings.automaticExposure();
         } else {
             in.number("exposure").above(0).optional().ifPresent(settings::exposure);

@@ -10,6 +10,7 @@ import org.diacaustic.shape.Box;
 import org.diacaustic.shape.ConvexPolygon;
 import org.diacaustic.shape.Disc;
 import org.diacaustic.shape.Ellipsoid;
+import org.diacaustic.shape.FlakeKind;
 import org.diacaustic.shape.Frustum;
 import org.diacaustic.shape.Plane;
 import org.diacaustic.shape.Quadric;
@@ -131,13 +132,13 @@ final class ShapeReader {
     private static Shape sphereflake(MappingReader in) {
         Vector3 at = in.vector3("at").required();
         double radius = in.number("radius").above(0).required();
-        Sphereflake.Kind kind = in.choice(
+        FlakeKind kind = in.choice(
                         "children",
-                        new Kinds<Sphereflake.Kind>()
-                                .with("9", Sphereflake.Kind.CLASSIC)
-                                .with("6", Sphereflake.Kind.OCTAHEDRAL)
+                        new Kinds<FlakeKind>()
+                                .with("9", FlakeKind.CLASSIC)
+                                .with("6", FlakeKind.OCTAHEDRAL)
                                 .map())
-                .or(Sphereflake.Kind.CLASSIC);
+                .or(FlakeKind.CLASSIC);
         int depth = in.integer("depth").atLeast(0).atMost(8).required();
         double ratio = in.number("ratio").above(0).below(1).or(1.0 / 3);
         Vector3 up = in.direction("up").or(Vector3.UNIT_Y);

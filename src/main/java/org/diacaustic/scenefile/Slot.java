@@ -42,7 +42,9 @@ record Slot(Section section, String path, Place place, Node node, boolean silent
     }
 
     void missing(String expected) {
-        error("is missing: expected " + expected);
+        if (!silent) {
+            section.missing(place, path, "is missing: expected " + expected);
+        }
     }
 
     void unexpected(String expected) {

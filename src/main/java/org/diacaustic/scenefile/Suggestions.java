@@ -17,7 +17,7 @@ final class Suggestions {
                 .orElse(known.isEmpty() ? "" : "; known here: " + String.join(", ", known));
     }
 
-    private static Optional<String> nearest(String word, Collection<String> known) {
+    static Optional<String> nearest(String word, Collection<String> known) {
         if (word.length() > LONGEST_WORD) {
             return Optional.empty();
         }

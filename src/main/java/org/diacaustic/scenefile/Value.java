@@ -7,7 +7,7 @@ import java.util.function.Function;
  * A value that has been asked for and not yet read. One that breaks its rule adds a problem when it is read, and a
  * harmless value that keeps the rule stands in for it, so that reading goes on to the next problem. Read it once.
  */
-public abstract class Value<T> {
+abstract class Value<T> {
     final Slot slot;
 
     Value(Slot slot) {

@@ -7,7 +7,7 @@ import org.diacaustic.scenefile.Node.Entry;
 import org.diacaustic.scenefile.Node.Mapping;
 
 /** A mapping with exactly one key, which names the kind of what is described below it: {@code sphere: {radius: 1}}. */
-public final class Variant {
+final class Variant {
     private final Slot slot;
 
     Variant(Slot slot) {

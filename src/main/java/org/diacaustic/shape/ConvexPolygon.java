@@ -9,7 +9,7 @@ import org.diacaustic.math.Vector3;
  * A flat convex polygon, visible from both sides or, one-sided, only from where its normal points. The normal follows
  * the vertices by the right hand.
  *
- * <p>Which side of an edge a ray passes is decided as by Woop, Benthin and Wald [Woop 2013], from the edge's vertices
+ * <p>Which side of an edge a ray passes is decided as by [Woop, Benthin and Wald 2013], from the edge's vertices
  * and the ray alone and with the exact sign: polygons that share an edge leave no gap, and a ray through the edge itself
  * hits both.
  *

@@ -88,6 +88,7 @@ class EightBitCodecTest {
     void write_givenPng_isMarkedAsSrgbAndShrinksPlainPictures() {
         byte[] file = CodecBytes.write(ImageFormat.PNG, TestImages.constant(500, 400, 0.3, 0.2, 0.1));
         assertThat(new String(file, 37, 4)).isEqualTo("sRGB");
+        assertThat(new String(file, 50, 23)).isEqualTo("tEXtSoftware\0Diacaustic");
         assertThat(file).hasSizeLessThan(5000);
     }
 

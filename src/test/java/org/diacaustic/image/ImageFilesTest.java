@@ -7,9 +7,9 @@ import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
-import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.stream.Stream;
@@ -179,7 +179,7 @@ class ImageFilesTest {
                 .hasMessageContaining("none");
         Files.createFile(folder.resolve("file"));
         assertThatThrownBy(() -> ImageFiles.checkWritable(folder.resolve("file/a.png")))
-                .isInstanceOf(NotDirectoryException.class);
+                .isInstanceOf(FileSystemException.class);
         Files.createDirectory(folder.resolve("folder.png"));
         assertThatThrownBy(() -> ImageFiles.checkWritable(folder.resolve("folder.png")))
                 .isInstanceOf(IOException.class)
