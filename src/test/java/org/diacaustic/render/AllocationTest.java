@@ -26,6 +26,7 @@ import org.junit.jupiter.api.Test;
 class AllocationTest {
     private static final int SIZE = 100;
 
+    private final StopSignal stop = new StopSignal();
     private final ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
     @Test
@@ -81,20 +82,21 @@ class AllocationTest {
                 .background(Color.WHITE)
                 .build();
         EyeTracer tracer = new EyeTracer(RenderPlan.of(scene, Settings.physical()));
-        // Enough rays for the compiler to be done with them: interpreted code allocates no less, but it takes its time.
         double warm = traceAll(tracer, scene.camera());
-        long before = threads.getCurrentThreadAllocatedBytes();
-        double again = traceAll(tracer, scene.camera());
-        long allocated = threads.getCurrentThreadAllocatedBytes() - before;
+        long least = Long.MAX_VALUE;
+        // The machine itself now and then allocates an object on our thread, when it compiles anew; it does not always.
+        for (int i = 0; i < 3; i++) {
+            long before = threads.getCurrentThreadAllocatedBytes();
+            double again = traceAll(tracer, scene.camera());
+            least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);
+            assertThat(again).isEqualTo(warm).isPositive();
+        }
 
-        assertThat(again).isEqualTo(warm).isPositive();
         assertThat(tracer.counters().refractionRays()).isPositive();
-        // Asking for the bytes may itself take some, once; a single object each ray would be 160,000 bytes at least.
-        assertThat(allocated).isLessThan(SIZE * SIZE);
+        assertThat(least).isZero();
     }
 
-    private static double traceAll(EyeTracer tracer, Camera camera) {
-        StopSignal stop = new StopSignal();
+    private double traceAll(EyeTracer tracer, Camera camera) {
         double sum = 0;
         for (int y = 0; y < SIZE; y++) {
             for (int x = 0; x < SIZE; x++) {
