@@ -71,7 +71,7 @@ final class Eye {
         EyeTracer tracer = new EyeTracer(RenderPlan.of(scene.camera(camera).build(), settings.build()));
         tracer.random().start(1, 0, 0);
         tracer.ray().set(from, direction.normalized());
-        Color radiance = tracer.trace().toColor();
+        Color radiance = tracer.trace(new StopSignal()).toColor();
         counters = tracer.counters();
         return radiance;
     }
