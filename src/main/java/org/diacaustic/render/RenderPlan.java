@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.ServiceLoader;
 import org.diacaustic.light.Light;
-import org.diacaustic.math.Arithmetic;
 import org.diacaustic.scene.MediumLocator;
 import org.diacaustic.scene.MediumStack;
 import org.diacaustic.scene.Scene;
@@ -115,7 +114,8 @@ public final class RenderPlan {
         if (cosine <= 0) {
             return 0;
         }
-        double lobe = StrictMath.pow(Arithmetic.clamp(cosine, 0, 1), exponent);
+        // StrictMath.pow would allocate.
+        double lobe = StrictMath.exp(exponent * StrictMath.log(Math.min(cosine, 1)));
         return settings.normalizesHighlights() ? lobe * (exponent + 1) / (2 * Math.PI) : lobe;
     }
 
