@@ -13,7 +13,6 @@ import org.diacaustic.math.SampleStream;
 import org.diacaustic.scene.MediumStack;
 import org.diacaustic.scene.SceneIndex;
 import org.diacaustic.shape.Hit;
-import org.diacaustic.shape.Shape;
 
 /**
  * Follows eye rays: I = A + Σ(D + S) + R + T at every hit [Thesis 1.3]. Owned by one task, used again for every ray;
@@ -25,6 +24,7 @@ final class EyeTracer {
     private final ScatterRules rules;
     private final int maxDepth;
     private final double minimumThroughput;
+    private final boolean looksAtListOnly;
     private final Light[] visibleLights;
     private final DirectLight directLight;
     private final PendingRays pending;
@@ -32,10 +32,14 @@ final class EyeTracer {
     private final SampleStream random = new SampleStream();
 
     private final Ray ray = new Ray();
-    private final Hit hit = new Hit();
+    private final Ray probe = new Ray();
+    private Hit hit = new Hit();
+    private Hit touching = new Hit();
     private final Surface surface = new Surface();
     private final Scattering scattering = new Scattering();
     private final MediumStack media;
+    private int depth;
+    private double back;
     private final Rgb throughput = new Rgb();
     private final Rgb carried = new Rgb();
     private final Rgb glow = new Rgb();
@@ -47,6 +51,7 @@ final class EyeTracer {
         this.rules = plan.settings().scatterRules();
         this.maxDepth = plan.settings().maxDepth();
         this.minimumThroughput = plan.settings().minimumThroughput();
+        this.looksAtListOnly = plan.settings().usesListOrder();
         this.visibleLights = plan.visibleLights();
         this.pending = new PendingRays(scene);
         this.media = new MediumStack(scene);
@@ -70,7 +75,7 @@ final class EyeTracer {
 
     /** What was counted since the tracer was made. */
     Counters counters() {
-        counters.intersectionTests = ray.tests + directLight.tests();
+        counters.intersectionTests = ray.tests + probe.tests + directLight.tests();
         return counters;
     }
 
@@ -81,35 +86,30 @@ final class EyeTracer {
     Rgb trace(StopSignal stop) {
         counters.eyeRays++;
         radiance.set(0, 0, 0);
-        carried.set(1, 1, 1);
         pending.clear();
-        push(
-                        ray.originX,
-                        ray.originY,
-                        ray.originZ,
-                        ray.directionX,
-                        ray.directionY,
-                        ray.directionZ,
-                        0,
-                        SceneIndex.NONE,
-                        0,
-                        0)
-                .copyFrom(plan.mediaAtEye());
+        PendingRay first = pending.push();
+        first.start(ray);
+        first.throughput.set(1, 1, 1);
+        first.media.copyFrom(plan.mediaAtEye());
         while (!pending.isEmpty() && !stop.isSet()) {
-            pending.pop(ray, throughput, media);
-            follow(pending.depth(), pending.object(), pending.primitive());
+            follow(pending.pop());
         }
         return radiance;
     }
 
-    private void follow(int depth, int fromObject, int fromPrimitive) {
-        int object = scene.nearest(ray, fromObject, fromPrimitive);
+    private void follow(PendingRay next) {
+        next.copyTo(ray);
+        throughput.set(next.throughput);
+        media.copyFrom(next.media);
+        back = next.back;
+        depth = next.depth;
+        int object = scene.nearest(ray, next.object, next.primitive);
         boolean seesLight = seesLight();
         if (object != SceneIndex.NONE && !seesLight) {
-            arrive(object, depth);
+            arrive(object);
             return;
         }
-        absorb(media.current(), ray.tMax);
+        absorb(media.current());
         if (!seesLight) {
             glow.set(plan.scene().background());
         }
@@ -126,8 +126,10 @@ final class EyeTracer {
         return seen;
     }
 
-    private void absorb(Medium medium, double distance) {
+    /** Takes what a medium absorbs on the way that the ray has come. */
+    private void absorb(Medium medium) {
         if (medium.absorbs()) {
+            double distance = Math.max(0, ray.tMax - back);
             throughput.multiply(
                     Medium.transmittance(medium.absorption().red(), distance),
                     Medium.transmittance(medium.absorption().green(), distance),
@@ -135,55 +137,96 @@ final class EyeTracer {
         }
     }
 
-    private void arrive(int object, int depth) {
-        Shape shape = scene.object(object).shape();
+    private void arrive(int found) {
         hit.take(ray);
-        shape.complete(ray, hit);
-        double along = ray.directionX * hit.normalX + ray.directionY * hit.normalY + ray.directionZ * hit.normalZ;
-        int side = along < 0 ? 1 : -1;
-        boolean opaque = scene.isOpaque(object);
-        if (opaque) {
-            absorb(media.current(), ray.tMax);
-        } else {
-            media.lookAt(object, side > 0);
-            absorb(media.near(), ray.tMax);
-            if (!media.isVisible()) {
-                media.cross(object, side > 0);
-                carried.set(throughput);
-                push(
-                                hit.x,
-                                hit.y,
-                                hit.z,
-                                ray.directionX,
-                                ray.directionY,
-                                ray.directionZ,
-                                depth,
-                                object,
-                                hit.primitive,
-                                hit.pointError)
-                        .copyFrom(media);
-                return;
-            }
+        scene.object(found).shape().complete(ray, hit);
+        int object = leavesFirst(found) ? media.dominantObject() : found;
+        int side = alongNormal(hit) < 0 ? 1 : -1;
+        if (scene.isOpaque(object)) {
+            absorb(media.current());
+            shade(object, side, 1, 1);
+            return;
         }
+        if (hit.t <= 2 * ray.departureError && !media.canCross(object, side > 0)) {
+            absorb(media.current());
+            goStraightOn(object, 0);
+            return;
+        }
+        media.lookAt(object, side > 0);
+        absorb(media.near());
+        if (media.isVisible()) {
+            shade(object, side, media.near().indexOfRefraction(), media.far().indexOfRefraction());
+        } else {
+            media.cross(object, side > 0);
+            goStraightOn(object, hit.touchingDistance(alongNormal(hit)));
+        }
+    }
+
+    /** Adds A and Σ(D + S) of the hit, and leaves R and T for later. */
+    private void shade(int object, int side, double nNear, double nFar) {
         Material material = scene.object(object).material();
         if (material.needsMap()) {
-            shape.inverseMap(hit);
+            scene.object(object).shape().inverseMap(hit);
         }
         material.evaluate(hit, surface);
-        scattering.evaluate(
-                rules,
-                TransportMode.RADIANCE,
-                ray,
-                hit,
-                surface,
-                side,
-                opaque ? 1 : media.near().indexOfRefraction(),
-                opaque ? 1 : media.far().indexOfRefraction());
+        scattering.evaluate(rules, TransportMode.RADIANCE, ray, hit, surface, side, nNear, nFar);
         addAmbient();
         directLight.add(object, side, hit, surface, scattering, media, throughput, radiance);
         if (depth < maxDepth) {
-            goOn(object, side, depth, hit.pointError);
+            goOn(object, side);
         }
+    }
+
+    /**
+     * Whether the ray is inside a closed object whose surface touches the one it has found, and so leaves that object
+     * first: between surfaces that touch there is always a gap without width, whichever of them rounding puts in front.
+     * If so, the hit becomes that on the object's own surface.
+     */
+    private boolean leavesFirst(int found) {
+        int inside = media.dominantObject();
+        boolean isLeaving = scene.object(found).shape().isClosed() && alongNormal(hit) > 0;
+        if (inside == SceneIndex.NONE || inside == found || (isLeaving && !scene.isOpaque(found)) || looksAtListOnly) {
+            return false;
+        }
+        double reach = hit.touchingDistance(alongNormal(hit));
+        probe.set(
+                hit.x - reach * ray.directionX,
+                hit.y - reach * ray.directionY,
+                hit.z - reach * ray.directionZ,
+                ray.directionX,
+                ray.directionY,
+                ray.directionZ);
+        probe.tMax = 2 * reach;
+        if (!scene.object(inside).shape().intersect(probe)) {
+            return false;
+        }
+        touching.take(probe);
+        scene.object(inside).shape().complete(probe, touching);
+        if (!(alongNormal(touching) > 0)) {
+            return false;
+        }
+        touching.t = hit.t;
+        Hit outer = hit;
+        hit = touching;
+        touching = outer;
+        return true;
+    }
+
+    private double alongNormal(Hit at) {
+        return ray.directionX * at.normalX + ray.directionY * at.normalY + ray.directionZ * at.normalZ;
+    }
+
+    /**
+     * Leaves the same ray for later, beyond a surface that means nothing to it. The error of its start stays as wide as
+     * it was, so that what was passed just now is known for it.
+     */
+    private void goStraightOn(int object, double before) {
+        PendingRay next = pending.push();
+        next.leave(hit, object, ray.directionX, ray.directionY, ray.directionZ, before);
+        next.widenError(ray.departureError);
+        next.depth = depth;
+        next.throughput.set(throughput);
+        next.media.copyFrom(media);
     }
 
     private void addAmbient() {
@@ -195,37 +238,28 @@ final class EyeTracer {
     }
 
     /** Leaves the mirrored and the refracted ray for later, unless they carry too little. */
-    private void goOn(int object, int side, int depth, double error) {
+    private void goOn(int object, int side) {
         if (carries(scattering.reflectance, scattering.reflectedX)) {
             counters.reflectionRays++;
-            push(
-                            hit.x,
-                            hit.y,
-                            hit.z,
-                            scattering.reflectedX,
-                            scattering.reflectedY,
-                            scattering.reflectedZ,
-                            depth + 1,
-                            object,
-                            hit.primitive,
-                            error)
-                    .copyFrom(media);
+            PendingRay mirrored = pending.push();
+            mirrored.leave(hit, object, scattering.reflectedX, scattering.reflectedY, scattering.reflectedZ, 0);
+            mirrored.depth = depth + 1;
+            mirrored.throughput.set(carried);
+            mirrored.media.copyFrom(media);
         }
         if (carries(scattering.transmittance, scattering.transmittedX)) {
             counters.refractionRays++;
-            MediumStack beyond = push(
-                    hit.x,
-                    hit.y,
-                    hit.z,
-                    scattering.transmittedX,
-                    scattering.transmittedY,
-                    scattering.transmittedZ,
-                    depth + 1,
-                    object,
-                    hit.primitive,
-                    error);
-            beyond.copyFrom(media);
-            beyond.cross(object, side > 0);
+            double x = scattering.transmittedX;
+            double y = scattering.transmittedY;
+            double z = scattering.transmittedZ;
+            double cosine = x * hit.normalX + y * hit.normalY + z * hit.normalZ;
+            PendingRay refracted = pending.push();
+            // A little before the surface, so that what touches it on the other side is met.
+            refracted.leave(hit, object, x, y, z, hit.touchingDistance(cosine));
+            refracted.depth = depth + 1;
+            refracted.throughput.set(carried);
+            refracted.media.copyFrom(media);
+            refracted.media.cross(object, side > 0);
         }
     }
 
@@ -241,19 +275,5 @@ final class EyeTracer {
             return false;
         }
         return largest > 0 && largest >= minimumThroughput;
-    }
-
-    private MediumStack push(
-            double ox,
-            double oy,
-            double oz,
-            double dx,
-            double dy,
-            double dz,
-            int depth,
-            int fromObject,
-            int fromPrimitive,
-            double error) {
-        return pending.push(ox, oy, oz, dx, dy, dz, carried, depth, fromObject, fromPrimitive, error);
     }
 }

@@ -50,6 +50,24 @@ public final class MediumStack {
         return medium(dominant(count, BASE));
     }
 
+    /** The closed object that fills the space where the ray is; none if that is what open surfaces or nothing fill. */
+    public int dominantObject() {
+        return dominant(count, BASE);
+    }
+
+    /**
+     * Whether the ray can be about to cross a boundary, as far as is known: it cannot enter what it is in, nor leave what
+     * it is not in. Where surfaces touch, this tells those that are still ahead from those that were crossed just now.
+     */
+    public boolean canCross(int object, boolean entering) {
+        if (scene.object(object).shape().isClosed()) {
+            return entering == (lastIndexOf(object) == BASE);
+        }
+        Medium before = side(object, !entering);
+        Medium after = side(object, entering);
+        return before.equals(after) || !base.equals(after);
+    }
+
     /**
      * Looks at the boundary of an object without crossing it: sets {@link #near()}, {@link #far()} and
      * {@link #isVisible()}.

@@ -41,11 +41,18 @@ final class CrossingCollector implements SceneIndex.Visitor {
 
     private void gather(int object, Ray ray) {
         Shape shape = shadow.scene.object(object).shape();
-        part.set(ray.originX, ray.originY, ray.originZ, ray.directionX, ray.directionY, ray.directionZ);
-        part.tMax = ray.tMax;
+        double back = shadow.touchingDistance();
+        part.set(
+                ray.originX - back * ray.directionX,
+                ray.originY - back * ray.directionY,
+                ray.originZ - back * ray.directionZ,
+                ray.directionX,
+                ray.directionY,
+                ray.directionZ);
+        part.tMax = ray.tMax + back;
         part.leaving = ray.leaving;
-        part.departureError = ray.departureError;
-        double travelled = 0;
+        part.departureError = ray.departureError + back;
+        double travelled = -back;
         boolean found = shape.intersect(part);
         long tests = part.tests;
         while (found) {
@@ -62,17 +69,23 @@ final class CrossingCollector implements SceneIndex.Visitor {
         part.tests = tests;
     }
 
+    /** Adds a crossing; of surfaces that touch, those that are left come before those that are entered. */
     private void add(int object, double distance) {
+        double along = part.directionX * hit.normalX + part.directionY * hit.normalY + part.directionZ * hit.normalZ;
+        boolean entering = along < 0;
+        if (distance <= shadow.touchingDistance() && !shadow.media.canCross(object, entering)) {
+            return;
+        }
         Material material = shadow.scene.object(object).material();
         if (material.needsMap()) {
             shadow.scene.object(object).shape().inverseMap(hit);
         }
         material.evaluate(hit, surface);
-        double along = part.directionX * hit.normalX + part.directionY * hit.normalY + part.directionZ * hit.normalZ;
+        double reach = hit.touchingDistance(along);
         crossings.add(
-                distance,
+                entering ? distance + reach : distance - reach,
                 object,
-                along < 0,
+                entering,
                 Math.min(1, Math.abs(along)),
                 surface.transparency.red,
                 surface.transparency.green,

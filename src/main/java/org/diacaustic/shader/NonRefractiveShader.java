@@ -54,7 +54,7 @@ public final class NonRefractiveShader implements Shader {
         MediumStack media = shadow.media;
         double from = 0;
         for (int i = 0; i < crossings.count(); i++) {
-            absorb(media.current(), crossings.distance(i) - from, transmittance);
+            absorb(media.current(), Math.max(0, crossings.distance(i) - from), transmittance);
             from = crossings.distance(i);
             int object = crossings.object(i);
             boolean entering = crossings.isEntering(i);

@@ -27,6 +27,7 @@ public final class ShadowRay {
 
     private int fromObject;
     private int fromPrimitive;
+    private double touchingDistance;
     private int light;
     private final int[] lastBlocker;
     private final boolean remembersBlockers;
@@ -60,6 +61,8 @@ public final class ShadowRay {
         ray.set(from.x, from.y, from.z, sample.directionX, sample.directionY, sample.directionZ);
         ray.tMax = sample.distance;
         ray.departureError = from.pointError;
+        touchingDistance = from.touchingDistance(
+                sample.directionX * from.normalX + sample.directionY * from.normalY + sample.directionZ * from.normalZ);
         media.copyFrom(around);
     }
 
@@ -76,6 +79,11 @@ public final class ShadowRay {
     /** The media at the lit point; a shading model may change them as it follows the line. */
     public MediumStack media() {
         return media;
+    }
+
+    /** How far before the lit point, along the line, transparent surfaces may be that touch the lit one. */
+    double touchingDistance() {
+        return touchingDistance;
     }
 
     /** The tests made so far. */

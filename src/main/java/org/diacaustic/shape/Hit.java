@@ -1,5 +1,6 @@
 package org.diacaustic.shape;
 
+import org.diacaustic.math.Arithmetic;
 import org.diacaustic.math.Ray;
 
 /**
@@ -7,6 +8,11 @@ import org.diacaustic.math.Ray;
  * one task. All normals point outward and have length 1.
  */
 public final class Hit {
+    private static final double TOUCHING_ERRORS = 8;
+
+    /** Lines flatter than this to the surface are not followed farther to find what touches it. */
+    private static final double FLATTEST = 0x1p-10;
+
     /** The distance along the ray, in lengths of its direction. */
     public double t;
 
@@ -57,6 +63,15 @@ public final class Hit {
         primitive = ray.hitPrimitive;
         noteU = ray.hitU;
         noteV = ray.hitV;
+    }
+
+    /**
+     * How far before or behind this point, along a line at the given cosine to the normal, surfaces are found that touch
+     * this one here: a few rounding errors of this surface and of its coordinates.
+     */
+    public double touchingDistance(double cosine) {
+        double rounding = Arithmetic.UNIT_ROUNDOFF * (Math.abs(x) + Math.abs(y) + Math.abs(z));
+        return TOUCHING_ERRORS * (pointError + rounding) / Math.max(Math.abs(cosine), FLATTEST);
     }
 
     public void setPoint(double px, double py, double pz, double error) {

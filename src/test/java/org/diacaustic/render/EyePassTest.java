@@ -163,11 +163,11 @@ class EyePassTest {
     void trace_givenAbsorbingBall_followsBeersLaw() {
         Medium medium = new Medium(1, new Color(0, 0.5, 2), 0);
         Eye eye = new Eye().object(new Sphere(Vector3.ZERO, 1), clear(medium)).background(1);
-        // The chord at 0.6 from the axis is 1.6 long.
+        // The chord at 0.6 from the axis is 1.6 long, and known to a few rounding errors of the coordinates.
         Color seen = eye.sees(v(0.6, 0, 5), v(0, 0, -1));
         assertThat(seen.red()).isEqualTo(1);
-        assertThat(seen.green()).isCloseTo(StrictMath.exp(-0.8), within(1e-15));
-        assertThat(seen.blue()).isCloseTo(StrictMath.exp(-3.2), within(1e-15));
+        assertThat(seen.green()).isCloseTo(StrictMath.exp(-0.8), within(2e-14));
+        assertThat(seen.blue()).isCloseTo(StrictMath.exp(-3.2), within(2e-14));
         // From the middle, one radius.
         assertThat(eye.sees(Vector3.ZERO, v(1, 2, 3)).blue()).isCloseTo(StrictMath.exp(-2), within(1e-15));
     }
