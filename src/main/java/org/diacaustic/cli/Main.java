@@ -25,7 +25,7 @@ import picocli.CommandLine.HelpCommand;
             "1:internal failure",
             "2:bad input or usage",
             "3:a file cannot be read or written",
-            "4:a resource limit, or a target that was not reached",
+            "4:a resource limit",
             "130, 143:interrupted; the picture so far is saved"
         })
 public final class Main {

@@ -3,6 +3,8 @@ package org.diacaustic.cli;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.diacaustic.image.Exposure;
@@ -64,6 +66,7 @@ final class RenderCommand implements Callable<Integer> {
         }
         Path picture = picture();
         ImageFiles.checkWritable(picture);
+        requireDifferent(picture);
         if (stats != null) {
             StatisticsFile.checkWritable(stats);
         }
@@ -93,6 +96,24 @@ final class RenderCommand implements Callable<Integer> {
             interruption.saved();
         }
         return ExitCode.DONE;
+    }
+
+    /** Refuses to write the picture, the statistics and the scene over each other. */
+    private void requireDifferent(Path picture) {
+        List<Path> files = new ArrayList<>(List.of(options.path(), picture));
+        if (stats != null) {
+            files.add(stats);
+        }
+        for (int i = 1; i < files.size(); i++) {
+            for (Path other : files.subList(0, i)) {
+                if (files.get(i)
+                        .toAbsolutePath()
+                        .normalize()
+                        .equals(other.toAbsolutePath().normalize())) {
+                    throw new ParameterException(spec.commandLine(), files.get(i) + " is named for two files at once");
+                }
+            }
+        }
     }
 
     private Path picture() throws IOException {

@@ -61,6 +61,7 @@ final class StatisticsFile {
         json.put("shadowRays", counters.shadowRays());
         json.put("reflectionRays", counters.reflectionRays());
         json.put("refractionRays", counters.refractionRays());
+        json.put("cutRays", counters.cutRays());
         json.put("intersectionTests", counters.intersectionTests());
         json.put("nonFiniteSamples", counters.nonFiniteSamples());
         for (String forward :

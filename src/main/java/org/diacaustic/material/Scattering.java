@@ -13,9 +13,10 @@ import org.diacaustic.shape.Hit;
  * <p>With Fresnel reflectance F, given reflectivity r and transparency t: R = F + (1 − F)·r and T = (1 − F)·t; opaque
  * surfaces have F = 0. Without Fresnel, R = r and T = t, and under total internal reflection R = r + t.
  *
- * <p>The geometric normal decides which side the ray is on, the shading normal where the continuations point. Near the
- * horizon a bump could send a mirrored ray into the surface or a refracted one out of it: such a direction is bent to
- * just its own side of the horizon. The bending starts before the fault does, so nothing jumps.
+ * <p>The geometric normal decides which side the ray is on, the shading normal where the continuations point. A bump, or
+ * a smooth normal on flat triangles, could send a mirrored ray into the surface or a refracted one out of it: such a
+ * direction is mirrored back by the surface as it is. It passes the horizon at an angle that is too small to see but not 0,
+ * and nothing jumps there; nor do rays slide along the surface.
  */
 public final class Scattering {
     /** The sine of the angle to the horizon (0.06°) within which bumped normals and their rays are bent. */
@@ -160,9 +161,12 @@ public final class Scattering {
         transmittedZ = z / length;
     }
 
-    /** How much of the geometric normal must be added so that a direction points to the given side. */
+    /**
+     * How much of the geometric normal must be added so that a direction points to the given side: one that points to the
+     * other is mirrored by the surface as it is, and none is left flatter than the horizon.
+     */
     private static double liftOverHorizon(double x, double y, double z, Hit hit, int side) {
         double height = side * (x * hit.normalX + y * hit.normalY + z * hit.normalZ);
-        return height < HORIZON ? side * (HORIZON - height) : 0;
+        return height < HORIZON ? side * (Math.max(HORIZON, -height) - height) : 0;
     }
 }

@@ -79,6 +79,15 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
         return x >= minX && x <= maxX && y >= minY && y <= maxY && z >= minZ && z <= maxZ;
     }
 
+    public boolean overlaps(Bounds other) {
+        return minX <= other.maxX
+                && maxX >= other.minX
+                && minY <= other.maxY
+                && maxY >= other.minY
+                && minZ <= other.maxZ
+                && maxZ >= other.minZ;
+    }
+
     public Vector3 centre() {
         return new Vector3(minX + (maxX - minX) / 2, minY + (maxY - minY) / 2, minZ + (maxZ - minZ) / 2);
     }

@@ -6,6 +6,7 @@ public final class Counters {
     long shadowRays;
     long reflectionRays;
     long refractionRays;
+    long cutRays;
     long intersectionTests;
     long nonFiniteSamples;
     /** The first pixel, in reading order, of a sample that was not finite; the largest long if there is none. */
@@ -16,6 +17,7 @@ public final class Counters {
         shadowRays += other.shadowRays;
         reflectionRays += other.reflectionRays;
         refractionRays += other.refractionRays;
+        cutRays += other.cutRays;
         intersectionTests += other.intersectionTests;
         nonFiniteSamples += other.nonFiniteSamples;
         firstNonFinitePixel = Math.min(firstNonFinitePixel, other.firstNonFinitePixel);
@@ -37,6 +39,11 @@ public final class Counters {
 
     public long refractionRays() {
         return refractionRays;
+    }
+
+    /** Mirrored and refracted rays not followed, because they carried too little or came after too many bounces. */
+    public long cutRays() {
+        return cutRays;
     }
 
     /** Tests of a ray against a primitive or a bounding volume. */

@@ -75,7 +75,7 @@ final class DirectLight {
                 continue;
             }
             int count = sampleCount(light, throughput);
-            boolean isPoint = light.sampleCount() == 1;
+            boolean isPoint = light.sampleCount() == 1 && !light.isVisible();
             double shift = isPoint ? 0 : random.nextDouble();
             for (int j = 0; j < count; j++) {
                 double s = isPoint ? 0.5 : (j + random.nextDouble()) / count;

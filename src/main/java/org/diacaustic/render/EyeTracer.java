@@ -19,6 +19,9 @@ import org.diacaustic.shape.Hit;
  * after its arrays have grown to the depth of the scene it allocates nothing.
  */
 final class EyeTracer {
+    /** More surfaces than this in one place are not told apart. */
+    private static final int MOST_TOUCHING = 8;
+
     private final RenderPlan plan;
     private final SceneIndex scene;
     private final ScatterRules rules;
@@ -40,6 +43,7 @@ final class EyeTracer {
     private final MediumStack media;
     private int depth;
     private double back;
+    private int passed;
     private final Rgb throughput = new Rgb();
     private final Rgb carried = new Rgb();
     private final Rgb glow = new Rgb();
@@ -102,6 +106,7 @@ final class EyeTracer {
         throughput.set(next.throughput);
         media.copyFrom(next.media);
         back = next.back;
+        passed = next.passed;
         depth = next.depth;
         int object = scene.nearest(ray, next.object, next.primitive);
         boolean seesLight = seesLight();
@@ -149,7 +154,8 @@ final class EyeTracer {
         }
         if (hit.t <= 2 * ray.departureError && !media.canCross(object, side > 0)) {
             absorb(media.current());
-            goStraightOn(object, 0);
+            // Between surfaces in one place a ray could go to and fro without getting on: then it leaves them all.
+            goStraightOn(object, passed < MOST_TOUCHING ? 0 : -2 * ray.departureError);
             return;
         }
         media.lookAt(object, side > 0);
@@ -172,9 +178,7 @@ final class EyeTracer {
         scattering.evaluate(rules, TransportMode.RADIANCE, ray, hit, surface, side, nNear, nFar);
         addAmbient();
         directLight.add(object, side, hit, surface, scattering, media, throughput, radiance);
-        if (depth < maxDepth) {
-            goOn(object, side);
-        }
+        goOn(object, side);
     }
 
     /**
@@ -223,7 +227,7 @@ final class EyeTracer {
     private void goStraightOn(int object, double before) {
         PendingRay next = pending.push();
         next.leave(hit, object, ray.directionX, ray.directionY, ray.directionZ, before);
-        next.widenError(ray.departureError);
+        next.pass(ray.departureError, passed);
         next.depth = depth;
         next.throughput.set(throughput);
         next.media.copyFrom(media);
@@ -274,6 +278,10 @@ final class EyeTracer {
             radiance.set(Double.NaN, Double.NaN, Double.NaN);
             return false;
         }
-        return largest > 0 && largest >= minimumThroughput;
+        boolean isFollowed = largest >= minimumThroughput && depth < maxDepth;
+        if (largest > 0 && !isFollowed) {
+            counters.cutRays++;
+        }
+        return largest > 0 && isFollowed;
     }
 }

@@ -21,6 +21,9 @@ final class PendingRay {
 
     int primitive;
 
+    /** How many surfaces that mean nothing to it lay within the error of its start, one after the other. */
+    int passed;
+
     /** How far before its surface it starts, so that what touches that surface is met. */
     double back;
 
@@ -46,6 +49,7 @@ final class PendingRay {
         directionZ = ray.directionZ;
         departureError = 0;
         back = 0;
+        passed = 0;
         depth = 0;
         object = SceneIndex.NONE;
         primitive = 0;
@@ -63,11 +67,13 @@ final class PendingRay {
         back = before;
         object = hitObject;
         primitive = hit.primitive;
+        passed = 0;
     }
 
-    /** Keeps at least this error of the start. */
-    void widenError(double atLeast) {
-        departureError = Math.max(departureError, atLeast);
+    /** Keeps at least this error of the start, and counts one more surface passed. */
+    void pass(double errorSoFar, int passedSoFar) {
+        departureError = Math.max(departureError, errorSoFar);
+        passed = passedSoFar + 1;
     }
 
     /** Sets the ray to be traced. */

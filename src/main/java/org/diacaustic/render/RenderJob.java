@@ -83,10 +83,23 @@ public final class RenderJob {
         return plan.tilesAcross() * plan.tilesDown();
     }
 
+    /** Tiles in an order that jumps over the picture, so that the time left can be told from those that are done. */
+    private int scattered(int number) {
+        int stride = (int) (tileCount() * 0.618) | 1;
+        while (gcd(stride, tileCount()) != 1) {
+            stride += 2;
+        }
+        return (int) ((long) number * stride % tileCount());
+    }
+
+    private static int gcd(int a, int b) {
+        return b == 0 ? a : gcd(b, a % b);
+    }
+
     private void work(TileRenderer renderer) {
         try {
             for (int tile = nextTile.getAndIncrement(); tile < tileCount(); tile = nextTile.getAndIncrement()) {
-                if (!renderer.render(tile, stop)) {
+                if (!renderer.render(scattered(tile), stop)) {
                     return;
                 }
                 synchronized (progressLock) {

@@ -63,7 +63,12 @@ public final class RenderPlan {
         Map<String, Shader> shaders = new LinkedHashMap<>();
         shaders.put(NonTransparentShader.NAME, new NonTransparentShader());
         shaders.put(NonRefractiveShader.NAME, new NonRefractiveShader(settings.scatterRules(), settings.attenuates()));
-        additional.forEach(shader -> shaders.put(shader.name(), shader));
+        for (Shader shader : additional) {
+            if (shader.name().equals(Settings.AUTO) || shaders.putIfAbsent(shader.name(), shader) != null) {
+                throw new PlanException(
+                        "a shader of one's own must not be named '" + shader.name() + "': that is the name of another");
+            }
+        }
         return new RenderPlan(scene, settings, shaders);
     }
 

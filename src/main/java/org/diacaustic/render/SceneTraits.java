@@ -54,11 +54,28 @@ final class SceneTraits {
         return scene.lights().stream().anyMatch(light -> light.highlightExponent() > 0);
     }
 
-    private static boolean bends(SceneObject object) {
-        double around = object.shape().isClosed()
-                ? Medium.VACUUM.indexOfRefraction()
-                : object.material().outside().indexOfRefraction();
-        return object.material().inside().indexOfRefraction() != around;
+    /** Whether an index that may meet the object's own differs from it. */
+    private boolean bends(SceneObject object) {
+        double own = object.material().inside().indexOfRefraction();
+        if (!object.shape().isClosed()) {
+            return object.material().outside().indexOfRefraction() != own;
+        }
+        return own != Medium.VACUUM.indexOfRefraction()
+                || scene.objects().stream()
+                        .filter(other -> other.material().isTransparent())
+                        .flatMap(other -> mediaAround(other, object))
+                        .anyMatch(medium -> medium.indexOfRefraction() != own);
+    }
+
+    /** The media of one object that another may lie in: those of open surfaces anywhere, of closed ones that overlap. */
+    private static Stream<Medium> mediaAround(SceneObject surrounding, SceneObject object) {
+        Material material = surrounding.material();
+        if (!surrounding.shape().isClosed()) {
+            return Stream.of(material.inside(), material.outside());
+        }
+        return surrounding.shape().bounds().overlaps(object.shape().bounds())
+                ? Stream.of(material.inside())
+                : Stream.empty();
     }
 
     private Stream<Material> materials() {

@@ -7,13 +7,11 @@ import org.diacaustic.material.Medium;
  * The media that a ray is in: the closed transparent objects it has entered and not left, above the medium that open
  * surfaces last put it in. Mutable, owned by one task; a copy goes along with every ray.
  *
- * <p>A closed object is entered and left by identity, so overlaps may come in any order. (Two closed objects whose surfaces
- * coincide to the last digit are not told apart: of the two boundaries at one point a ray meets only the first. Let them
- * overlap a little, or leave a gap.) Where
- * objects overlap, the highest priority fills the space, among equals the one entered last; a boundary inside something
- * that dominates it is invisible. An open surface declares the medium on each of its sides, and the side that the ray
- * arrives on decides, whatever was believed before. What it declares gives way to closed objects of at least the same
- * priority: inside one that dominates both of its sides the surface is invisible and only changes what is around.
+ * <p>A closed object is entered and left by identity, so overlaps may come in any order. Where objects overlap, the highest
+ * priority fills the space, among equals the one entered last; a boundary inside something that dominates it is
+ * invisible. An open surface declares the medium on each of its sides, and the side that the ray arrives on decides,
+ * whatever was believed before. What it declares gives way to closed objects of at least the same priority: inside one
+ * that dominates both of its sides the surface is invisible and only changes what is around.
  */
 public final class MediumStack {
     private static final int BASE = -1;
@@ -29,11 +27,6 @@ public final class MediumStack {
 
     public MediumStack(SceneIndex scene) {
         this.scene = scene;
-    }
-
-    public void clear() {
-        base = Medium.VACUUM;
-        count = 0;
     }
 
     public void copyFrom(MediumStack other) {

@@ -15,6 +15,9 @@ import org.diacaustic.math.Vector3;
 
 /** Reads {@code materials}. */
 final class MaterialReader {
+    /** Fractions written in decimals may add up to a little more than 1. */
+    private static final double ROUNDING = 0x1p-40;
+
     private MaterialReader() {}
 
     /** All materials by name; one that is wrong is there as null, so that its name is known. */
@@ -55,7 +58,7 @@ final class MaterialReader {
             ripples.forEach(material::bump);
             images.forEach(material::bump);
             Material made = material.build();
-            if (made.largestConstantSum() > 1) {
+            if (made.largestConstantSum() > 1 + ROUNDING) {
                 in.warning("diffuse, reflectivity and transparency add up to " + made.largestConstantSum()
                         + ": the surface sends out more light than it receives");
             }

@@ -12,6 +12,9 @@ import org.diacaustic.shape.Shape;
  * one object count as one test, as in the thesis, where a test returned all intersection points [Thesis 3.2.2].
  */
 final class CrossingCollector implements SceneIndex.Visitor {
+    /** More surfaces of one object than this in one place are not told apart. */
+    private static final int MOST_TOUCHING = 8;
+
     final Crossings crossings = new Crossings();
     private final ShadowRay shadow;
     private final Ray part = new Ray();
@@ -55,15 +58,26 @@ final class CrossingCollector implements SceneIndex.Visitor {
         double travelled = -back;
         boolean found = shape.intersect(part);
         long tests = part.tests;
+        int inPlace = 0;
         while (found) {
             hit.take(part);
             shape.complete(part, hit);
             travelled += hit.t;
             add(object, travelled);
-            part.set(hit.x, hit.y, hit.z, ray.directionX, ray.directionY, ray.directionZ);
+            // Surfaces in one place could send the line to and fro for ever: then it leaves them all.
+            inPlace = hit.t <= 2 * part.departureError ? inPlace + 1 : 0;
+            double ahead = inPlace < MOST_TOUCHING ? 0 : 2 * part.departureError;
+            travelled += ahead;
+            part.set(
+                    hit.x + ahead * ray.directionX,
+                    hit.y + ahead * ray.directionY,
+                    hit.z + ahead * ray.directionZ,
+                    ray.directionX,
+                    ray.directionY,
+                    ray.directionZ);
             part.tMax = ray.tMax - travelled;
             part.leaving = hit.primitive;
-            part.departureError = hit.pointError;
+            part.departureError = hit.pointError + ahead;
             found = shape.intersect(part);
         }
         part.tests = tests;

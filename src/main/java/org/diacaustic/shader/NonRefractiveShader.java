@@ -19,9 +19,9 @@ public final class NonRefractiveShader implements Shader {
     private final boolean fresnel;
     private final boolean attenuates;
 
-    /** @param attenuates whether media absorb along the line */
+    /** @param attenuates whether interfaces and media take their part; if not, surfaces only filter by their colour */
     public NonRefractiveShader(ScatterRules rules, boolean attenuates) {
-        this.fresnel = rules.fresnel();
+        this.fresnel = rules.fresnel() && attenuates;
         this.attenuates = attenuates;
     }
 
@@ -39,7 +39,7 @@ public final class NonRefractiveShader implements Shader {
             return false;
         }
         transmittance.set(1, 1, 1);
-        if (fresnel || attenuates) {
+        if (attenuates) {
             attenuate(shadow, crossings, transmittance);
         }
         // The last crossing from the lit point is the first that the light meets.

@@ -73,17 +73,24 @@ final class MeshSurface {
                 + ray.directionZ * Arithmetic.differenceOfProducts(ux, vy, uy, vx));
     }
 
-    /** Whether two triangles have a corner in the same place. */
-    boolean touch(int triangle, int other) {
+    /** How many corners of a triangle lie where another has one: 3 for one that is there twice. */
+    int sharedCorners(int triangle, int other) {
+        int shared = 0;
         for (int i = 0; i < 3; i++) {
-            int a = corner(triangle, i);
-            for (int j = 0; j < 3; j++) {
-                int b = corner(other, j);
-                if (vertices[a] == vertices[b]
-                        && vertices[a + 1] == vertices[b + 1]
-                        && vertices[a + 2] == vertices[b + 2]) {
-                    return true;
-                }
+            if (isCorner(corner(triangle, i), other)) {
+                shared++;
+            }
+        }
+        return shared;
+    }
+
+    private boolean isCorner(int a, int triangle) {
+        for (int j = 0; j < 3; j++) {
+            int b = corner(triangle, j);
+            if (vertices[a] == vertices[b]
+                    && vertices[a + 1] == vertices[b + 1]
+                    && vertices[a + 2] == vertices[b + 2]) {
+                return true;
             }
         }
         return false;

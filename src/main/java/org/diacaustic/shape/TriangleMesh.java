@@ -186,7 +186,8 @@ public final class TriangleMesh implements Shape {
     /**
      * Where a ray that leaves one triangle meets another so near that rounding decides. It has just gone through the
      * surface one way, or turned away from it, so the next time it meets the surface it meets the side it came out on:
-     * what it seems to meet from the other side is the edge it starts beside. A neighbour it goes towards is met, though
+     * what it seems to meet from the other side is the edge it starts beside, or the same triangle in the file once more,
+     * turned round. A neighbour it goes towards is met, though
      * rounding may have set the start beyond it.
      */
     private double atDeparture(Ray ray, int triangle, double t) {
@@ -194,7 +195,11 @@ public final class TriangleMesh implements Shape {
         if (sameSense) {
             return Double.NaN;
         }
-        return t > 0 || !surface.touch(triangle, ray.leaving) ? t : Double.MIN_VALUE;
+        int shared = surface.sharedCorners(triangle, ray.leaving);
+        if (shared == 3) {
+            return Double.NaN;
+        }
+        return t > 0 || shared == 0 ? t : Double.MIN_VALUE;
     }
 
     @Override

@@ -156,8 +156,6 @@ class MediaTest {
         }
         assertThat(copy.current()).isEqualTo(Medium.VACUUM);
         assertThat(media.current().indexOfRefraction()).isEqualTo(1 + 0.1 * 19);
-        media.clear();
-        assertThat(media.current()).isEqualTo(Medium.VACUUM);
     }
 
     @Test
