@@ -67,7 +67,8 @@ final class DirectLight {
             Rgb throughput,
             Rgb radiance) {
         boolean diffuses = !surface.diffuse.isBlack();
-        boolean mirrors = !scattering.reflectance.isBlack();
+        // What is totally reflected came through the object bent, and straight lines know nothing of that.
+        boolean mirrors = !scattering.reflectance.isBlack() && (followsAll || !scattering.totalInternalReflection);
         for (int i = 0; i < lights.length; i++) {
             Light light = lights[i];
             boolean highlights = mirrors && light.highlightExponent() > 0;

@@ -81,6 +81,15 @@ class RenderCommandTest {
     }
 
     @Test
+    void render_givenOneNameForTwoFiles_refuses() {
+        Cli.Result result = render("--stats", picture);
+        assertThat(result.errorLines()).hasSize(1);
+        assertThat(result.errorLines().get(0)).contains("named for two files");
+        assertThat(result.code()).isEqualTo(2);
+        assertThat(picture).doesNotExist();
+    }
+
+    @Test
     void render_givenNoOutput_asksForIt() {
         Cli.Result result = Cli.run("render", scene);
         assertThat(result.errorLines())

@@ -11,6 +11,8 @@ import static org.diacaustic.render.Eye.v;
 
 import java.util.List;
 import org.diacaustic.light.DirectionalLight;
+import org.diacaustic.light.Falloff;
+import org.diacaustic.light.FlatLight;
 import org.diacaustic.material.Material;
 import org.diacaustic.material.Medium;
 import org.diacaustic.material.Pattern;
@@ -24,6 +26,7 @@ import org.diacaustic.scene.Scene;
 import org.diacaustic.scene.Settings;
 import org.diacaustic.shader.Shader;
 import org.diacaustic.shader.ShadowRay;
+import org.diacaustic.shape.Plane;
 import org.diacaustic.shape.Sphere;
 import org.junit.jupiter.api.Test;
 
@@ -175,5 +178,74 @@ class RenderPlanTest {
         return Scene.builder()
                 .camera(Camera.builder().build())
                 .object("thing 0", new Sphere(Vector3.ZERO, 1), material.build());
+    }
+
+    @Test
+    void of_givenBubbleInWater_knowsThatItBendsLight() {
+        Medium water = Medium.of(1.33);
+        Material sheet = Material.builder()
+                .transparency(Color.WHITE)
+                .inside(water)
+                .outside(water)
+                .build();
+        Material air = Material.builder().transparency(Color.WHITE).build();
+        Scene.Builder scene =
+                Scene.builder().camera(Camera.builder().build()).object("bubble", new Sphere(Vector3.ZERO, 1), air);
+        assertDecision(RenderPlan.of(scene.build(), PHYSICAL), "shader", true, "exact");
+
+        scene.object("surface", new Plane(new Vector3(0, 2, 0), Vector3.UNIT_Y), sheet);
+        assertDecision(RenderPlan.of(scene.build(), PHYSICAL), "shader", true, "approximate: light through bubble");
+    }
+
+    @Test
+    void of_givenShaderNamedAsAnother_refuses() {
+        for (String name : List.of("auto", "non-refractive")) {
+            Shader twin = new Shader() {
+                @Override
+                public String name() {
+                    return name;
+                }
+
+                @Override
+                public boolean transmit(ShadowRay shadow, Rgb transmittance) {
+                    return false;
+                }
+            };
+            Scene scene = scene(matt(1)).build();
+            assertThatThrownBy(() -> RenderPlan.of(scene, PHYSICAL, List.of(twin)))
+                    .isInstanceOf(PlanException.class)
+                    .hasMessageContaining(name);
+        }
+    }
+
+    @Test
+    void render_givenAreaLightOfOneSample_spreadsItOverTheArea() {
+        // A ball before the middle of a large light: its half-shadow needs the whole light, however few samples a hit
+        // has.
+        float one = floorUnderBall(1, 4096);
+        float many = floorUnderBall(64, 256);
+        assertThat(one).isCloseTo(many, org.assertj.core.data.Offset.offset(0.03f * many));
+    }
+
+    private static float floorUnderBall(int lightSamples, int eyeSamples) {
+        Scene scene = Scene.builder()
+                .camera(Camera.builder()
+                        .from(new Vector3(3, 1, 0))
+                        .to(new Vector3(0.3, 0, 0))
+                        .fieldOfView(0.01)
+                        .size(1, 1)
+                        .build())
+                .light(FlatLight.disc(
+                        new Vector3(0, 4, 0),
+                        new Vector3(0, -1, 0),
+                        1.5,
+                        Color.WHITE,
+                        new Falloff.InverseSquare(),
+                        lightSamples))
+                .object("floor", new Plane(Vector3.ZERO, Vector3.UNIT_Y), matt(1).build())
+                .object("ball", new Sphere(new Vector3(0, 2, 0), 0.5), matt(1).build())
+                .build();
+        Settings settings = PHYSICAL.toBuilder().samples(eyeSamples).build();
+        return (float) Renderer.render(scene, settings).image().get(0, 0).green();
     }
 }
