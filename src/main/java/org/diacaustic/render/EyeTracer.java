@@ -152,7 +152,9 @@ final class EyeTracer {
             shade(object, side, 1, 1);
             return;
         }
-        if (hit.t <= 2 * ray.departureError && !media.canCross(object, side > 0)) {
+        boolean isTouching = hit.t <= 2 * ray.departureError;
+        passed = isTouching ? passed : 0;
+        if (isTouching && !media.canCross(object, side > 0)) {
             absorb(media.current());
             // Between surfaces in one place a ray could go to and fro without getting on: then it leaves them all.
             goStraightOn(object, passed < MOST_TOUCHING ? 0 : -2 * ray.departureError);
