@@ -9,7 +9,7 @@
  * OpenEXR keep every bit pattern.
  *
  * <p>Sources: [Debevec 2001] the PFM format as HDR Shop reads and writes it; [IEC 61966-2-1] sRGB; [ISO 15948] PNG;
- * [Neumaier 1974] Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen; [OpenEXR file layout] the
+ * [OpenEXR file layout] the
  * document of that name of the OpenEXR project; [Ottosson 2020] A perceptual color space for image processing; [Rousselle
  * et al. 2011] Adaptive sampling and reconstruction using greedy error minimization; [Ward 1991] Real pixels, in Graphics
  * Gems II.

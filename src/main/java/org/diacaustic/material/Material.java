@@ -65,10 +65,6 @@ public final class Material {
         return !isBlack(reflectivity);
     }
 
-    public boolean isDiffuse() {
-        return !isBlack(diffuse);
-    }
-
     public boolean isBumped() {
         return !bumps.isEmpty();
     }

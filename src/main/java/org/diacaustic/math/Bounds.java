@@ -97,13 +97,6 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
         return Arithmetic.length(maxX - minX, maxY - minY, maxZ - minZ) / 2;
     }
 
-    public double surfaceArea() {
-        double dx = maxX - minX;
-        double dy = maxY - minY;
-        double dz = maxZ - minZ;
-        return 2 * (dx * dy + dy * dz + dz * dx);
-    }
-
     /**
      * Whether the ray meets the box within [0, tMax]. Zero components of the direction and flat boxes are right: a ray
      * inside the plane of a face hits. The far side is widened by the rounding of its own computation [Ize 2013], so a

@@ -33,10 +33,6 @@ final class Polygons {
         return corners.get(number);
     }
 
-    int cornerCount() {
-        return corners.size();
-    }
-
     int location(int face) {
         return locations.get(face);
     }
