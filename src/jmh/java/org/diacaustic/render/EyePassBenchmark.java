@@ -3,6 +3,7 @@ package org.diacaustic.render;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 import org.diacaustic.math.Rgb;
+import org.diacaustic.parallel.StopSignal;
 import org.diacaustic.scene.Camera;
 import org.diacaustic.scenefile.Problems;
 import org.diacaustic.scenefile.SceneFile;

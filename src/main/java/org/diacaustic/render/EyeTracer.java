@@ -10,6 +10,7 @@ import org.diacaustic.material.TransportMode;
 import org.diacaustic.math.Ray;
 import org.diacaustic.math.Rgb;
 import org.diacaustic.math.SampleStream;
+import org.diacaustic.parallel.StopSignal;
 import org.diacaustic.scene.MediumStack;
 import org.diacaustic.scene.SceneIndex;
 import org.diacaustic.shape.Hit;

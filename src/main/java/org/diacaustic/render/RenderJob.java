@@ -1,11 +1,12 @@
 package org.diacaustic.render;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.atomic.AtomicReference;
 import org.diacaustic.image.LinearImage;
+import org.diacaustic.parallel.StopSignal;
+import org.diacaustic.parallel.Workers;
 
 /**
  * One render on its way: runs once, on as many threads as wanted, reports progress and can be cancelled from anywhere.
@@ -17,8 +18,6 @@ public final class RenderJob {
     private final ProgressListener listener;
     private final StopSignal stop = new StopSignal();
     private final AtomicBoolean started = new AtomicBoolean();
-    private final AtomicInteger nextTile = new AtomicInteger();
-    private final AtomicReference<Throwable> failure = new AtomicReference<>();
     private final Object progressLock = new Object();
     private int tilesDone;
 
@@ -61,22 +60,25 @@ public final class RenderJob {
         long start = System.nanoTime();
         LinearImage image = new LinearImage(
                 plan.scene().camera().width(), plan.scene().camera().height());
-        List<TileRenderer> renderers = new ArrayList<>();
-        List<Thread> workers = new ArrayList<>();
-        for (int i = 0; i < threads; i++) {
+        List<TileRenderer> renderers = Collections.synchronizedList(new ArrayList<>());
+        new Workers(threads, stop).run(tileCount(), () -> {
             TileRenderer renderer = new TileRenderer(plan, image);
             renderers.add(renderer);
-            Thread worker = new Thread(() -> work(renderer), "diacaustic-" + i);
-            worker.setDaemon(true);
-            workers.add(worker);
-        }
-        workers.forEach(Thread::start);
-        join(workers);
-        rethrowFailure();
+            return number -> render(number, renderer);
+        });
         Counters counters = new Counters();
         renderers.forEach(renderer -> counters.add(renderer.counters()));
         double seconds = (System.nanoTime() - start) * 1e-9;
         return new Rendering(image, counters, threads, tilesDone, tileCount(), seconds);
+    }
+
+    private void render(int number, TileRenderer renderer) {
+        if (renderer.render(scattered(number), stop)) {
+            synchronized (progressLock) {
+                tilesDone++;
+                listener.progressed(tilesDone, tileCount());
+            }
+        }
     }
 
     private int tileCount() {
@@ -94,50 +96,5 @@ public final class RenderJob {
 
     private static int gcd(int a, int b) {
         return b == 0 ? a : gcd(b, a % b);
-    }
-
-    private void work(TileRenderer renderer) {
-        try {
-            for (int tile = nextTile.getAndIncrement(); tile < tileCount(); tile = nextTile.getAndIncrement()) {
-                if (!renderer.render(scattered(tile), stop)) {
-                    return;
-                }
-                synchronized (progressLock) {
-                    tilesDone++;
-                    listener.progressed(tilesDone, tileCount());
-                }
-            }
-        } catch (RuntimeException | Error thrown) {
-            failure.compareAndSet(null, thrown);
-            stop.set();
-        }
-    }
-
-    /** Waits for all workers, through interrupts, which cancel the job. */
-    private void join(List<Thread> workers) {
-        boolean interrupted = false;
-        for (Thread worker : workers) {
-            while (worker.isAlive()) {
-                try {
-                    worker.join();
-                } catch (InterruptedException wanted) {
-                    interrupted = true;
-                    stop.set();
-                }
-            }
-        }
-        if (interrupted) {
-            Thread.currentThread().interrupt();
-        }
-    }
-
-    private void rethrowFailure() {
-        Throwable thrown = failure.get();
-        if (thrown instanceof Error error) {
-            throw error;
-        }
-        if (thrown != null) {
-            throw (RuntimeException) thrown;
-        }
     }
 }

@@ -3,6 +3,7 @@ package org.diacaustic.render;
 import org.diacaustic.image.LinearImage;
 import org.diacaustic.math.Rgb;
 import org.diacaustic.math.SampleStream;
+import org.diacaustic.parallel.StopSignal;
 import org.diacaustic.scene.Camera;
 import org.diacaustic.scene.Settings;
 

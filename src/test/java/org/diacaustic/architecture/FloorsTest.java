@@ -28,14 +28,17 @@ class FloorsTest {
 
     static {
         NAMES.put("math", Set.of());
-        NAMES.put("index", Set.of("math"));
+        NAMES.put("parallel", Set.of());
+        NAMES.put("index", Set.of("math", "parallel"));
         NAMES.put("image", Set.of("math"));
         NAMES.put("shape", Set.of("index"));
         NAMES.put("material", Set.of("shape", "image"));
         NAMES.put("light", Set.of("shape"));
+        NAMES.put("map", Set.of("index"));
         NAMES.put("scene", Set.of("shape", "material", "light"));
         NAMES.put("shader", Set.of("scene"));
-        NAMES.put("render", Set.of("shader", "scene", "image"));
+        NAMES.put("preprocess", Set.of("map", "scene"));
+        NAMES.put("render", Set.of("preprocess", "shader", "map", "scene", "image", "parallel"));
         NAMES.put("scenefile", Set.of("scene", "image"));
         NAMES.put("cli", Set.of("render", "scenefile", "shader", "scene", "image"));
     }

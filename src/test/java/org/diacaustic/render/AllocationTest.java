@@ -12,6 +12,7 @@ import org.diacaustic.light.Falloff;
 import org.diacaustic.light.PointLight;
 import org.diacaustic.math.Color;
 import org.diacaustic.math.Vector3;
+import org.diacaustic.parallel.StopSignal;
 import org.diacaustic.scene.Camera;
 import org.diacaustic.scene.Scene;
 import org.diacaustic.scene.Settings;

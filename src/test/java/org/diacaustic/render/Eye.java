@@ -6,6 +6,7 @@ import org.diacaustic.material.Material;
 import org.diacaustic.material.Medium;
 import org.diacaustic.math.Color;
 import org.diacaustic.math.Vector3;
+import org.diacaustic.parallel.StopSignal;
 import org.diacaustic.scene.Camera;
 import org.diacaustic.scene.Scene;
 import org.diacaustic.scene.Settings;

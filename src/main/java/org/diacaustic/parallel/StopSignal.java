@@ -1,14 +1,14 @@
-package org.diacaustic.render;
+package org.diacaustic.parallel;
 
 /** Tells the threads of a job to stop; each looks at it before every ray that it follows. */
-final class StopSignal {
+public final class StopSignal {
     private volatile boolean set;
 
-    void set() {
+    public void set() {
         set = true;
     }
 
-    boolean isSet() {
+    public boolean isSet() {
         return set;
     }
 }
