@@ -1,0 +1,43 @@
+package org.diacaustic.preprocess;
+
+import org.diacaustic.math.Ray;
+import org.diacaustic.shape.Hit;
+import org.diacaustic.shape.Shape;
+
+/** Follows a line through one shape, from crossing to crossing. Owned by one task. */
+final class Crossings {
+    final Ray ray = new Ray();
+
+    /** The crossing that was found last. */
+    final Hit hit = new Hit();
+
+    /**
+     * Goes on to the next crossing beyond the start of {@link #ray}, whose direction has length 1, and leaves the ray there;
+     * triangles that share the edge the line goes through count once.
+     *
+     * @return whether there was one
+     */
+    boolean next(Shape shape) {
+        if (!shape.intersect(ray)) {
+            return false;
+        }
+        hit.take(ray);
+        shape.complete(ray, hit);
+        double ahead = hit.touchingDistance(cosine());
+        ray.set(
+                hit.x + ahead * ray.directionX,
+                hit.y + ahead * ray.directionY,
+                hit.z + ahead * ray.directionZ,
+                ray.directionX,
+                ray.directionY,
+                ray.directionZ);
+        ray.leaving = hit.primitive;
+        ray.departureError = hit.pointError + ahead;
+        return true;
+    }
+
+    /** Of the line to the surface's normal: positive where it leaves. */
+    double cosine() {
+        return ray.directionX * hit.normalX + ray.directionY * hit.normalY + ray.directionZ * hit.normalZ;
+    }
+}
