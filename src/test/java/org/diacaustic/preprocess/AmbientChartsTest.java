@@ -149,6 +149,16 @@ class AmbientChartsTest {
     }
 
     @Test
+    void of_givenAPolygonWithAVertexOnAnEdge_laysARectangleAroundIt() {
+        // A pentagon that is a square of 2 with a vertex in the middle of its first edge.
+        AmbientChart chart =
+                chart(ConvexPolygon.twoSided(v(0, 0, 0), v(1, 0, 0), v(2, 0, 0), v(2, 2, 0), v(0, 2, 0)), 4, 4);
+        for (int texel = 0; texel < 16; texel++) {
+            assertThat(chart.area(texel)).isCloseTo(0.25, within(1e-15));
+        }
+    }
+
+    @Test
     void of_givenShapesOfKnownArea_findsIt() {
         expectArea(new Ellipsoid(v(1, 2, 3), v(3, 1, 1)), PROLATE, 1e-4);
         expectArea(new Box(v(0, 0, 0), v(1, 2, 3)), 22, 1e-3);
