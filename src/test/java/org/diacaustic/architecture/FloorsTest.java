@@ -37,10 +37,11 @@ class FloorsTest {
         NAMES.put("map", Set.of("index"));
         NAMES.put("scene", Set.of("shape", "material", "light"));
         NAMES.put("shader", Set.of("scene"));
-        NAMES.put("preprocess", Set.of("map", "scene"));
-        NAMES.put("render", Set.of("preprocess", "shader", "map", "scene", "image", "parallel"));
+        NAMES.put("transport", Set.of("scene", "parallel"));
+        NAMES.put("preprocess", Set.of("transport", "map", "scene", "parallel"));
+        NAMES.put("render", Set.of("preprocess", "transport", "shader", "map", "scene", "image", "parallel"));
         NAMES.put("scenefile", Set.of("scene", "image"));
-        NAMES.put("cli", Set.of("render", "scenefile", "shader", "scene", "image"));
+        NAMES.put("cli", Set.of("render", "scenefile", "preprocess", "shader", "scene", "image"));
     }
 
     private final JavaClasses classes = new ClassFileImporter()
