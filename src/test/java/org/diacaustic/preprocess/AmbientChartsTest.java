@@ -87,7 +87,7 @@ class AmbientChartsTest {
     @Test
     void of_givenAPlane_namesItAndSaysWhatToUse() {
         assertThatThrownBy(() -> chart(new Plane(Vector3.ZERO, Vector3.UNIT_Y), 8, 8))
-                .isInstanceOf(UnmappableObjectException.class)
+                .isInstanceOf(ForwardPlanException.class)
                 .hasMessageContaining("'thing'")
                 .hasMessageContaining("photon-map");
     }

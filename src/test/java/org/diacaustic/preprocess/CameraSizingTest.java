@@ -116,6 +116,6 @@ class CameraSizingTest {
     void of_givenAPlane_refuses() {
         SceneIndex scene = scene(new Plane(Vector3.ZERO, Vector3.UNIT_Y), MATT);
         assertThatThrownBy(() -> CameraSizing.of(scene, above(200), PLENTY, PLENTY))
-                .isInstanceOf(UnmappableObjectException.class);
+                .isInstanceOf(ForwardPlanException.class);
     }
 }
