@@ -53,6 +53,11 @@ final class AmbientMap {
         }
     }
 
+    JoinedTexels texels() {
+        return texels;
+    }
+
+    /** Without the {@link #texels()}, which maps may share. */
     long bytes() {
         return (long) irradiance.length * Double.BYTES + (long) photons.length * Integer.BYTES;
     }

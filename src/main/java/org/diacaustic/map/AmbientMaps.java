@@ -1,8 +1,11 @@
 package org.diacaustic.map;
 
 import java.util.Arrays;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
 import org.diacaustic.math.Rgb;
 import org.diacaustic.parallel.Workers;
 
@@ -124,14 +127,16 @@ public final class AmbientMaps implements IlluminationMap {
     }
 
     private static long bytes(List<AmbientChart> charts, AmbientMap[] maps) {
-        long charted =
-                charts.stream().mapToLong(chart -> chart.texels().bytes()).sum();
-        return charted
-                + Arrays.stream(maps)
-                        .filter(Objects::nonNull)
-                        .distinct()
-                        .mapToLong(AmbientMap::bytes)
-                        .sum();
+        Set<JoinedTexels> texels = Collections.newSetFromMap(new IdentityHashMap<>());
+        charts.forEach(chart -> texels.add(chart.texels()));
+        long sum = 0;
+        for (int i = 0; i < maps.length; i++) {
+            if (maps[i] != null && (i % 2 == 0 || maps[i] != maps[i - 1])) {
+                sum += maps[i].bytes();
+                texels.add(maps[i].texels());
+            }
+        }
+        return sum + texels.stream().mapToLong(JoinedTexels::bytes).sum();
     }
 
     @Override

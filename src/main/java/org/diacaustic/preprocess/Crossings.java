@@ -1,5 +1,6 @@
 package org.diacaustic.preprocess;
 
+import org.diacaustic.math.Arithmetic;
 import org.diacaustic.math.Ray;
 import org.diacaustic.shape.Hit;
 import org.diacaustic.shape.Shape;
@@ -12,8 +13,9 @@ final class Crossings {
     final Hit hit = new Hit();
 
     /**
-     * Goes on to the next crossing beyond the start of {@link #ray}, whose direction has length 1, and leaves the ray there;
-     * triangles that share the edge the line goes through count once.
+     * Goes on to the next crossing beyond the start of {@link #ray}, whose direction has length 1, and moves the start just
+     * beyond it: triangles that share the edge the line goes through count once. The start moves along the line and
+     * never back, so there is an end.
      *
      * @return whether there was one
      */
@@ -23,14 +25,9 @@ final class Crossings {
         }
         hit.take(ray);
         shape.complete(ray, hit);
-        double ahead = hit.touchingDistance(cosine());
-        ray.set(
-                hit.x + ahead * ray.directionX,
-                hit.y + ahead * ray.directionY,
-                hit.z + ahead * ray.directionZ,
-                ray.directionX,
-                ray.directionY,
-                ray.directionZ);
+        double ahead = hit.touchingDistance(cosine()) + Arithmetic.gamma(8) * hit.t;
+        double on = hit.t + ahead;
+        ray.set(ray.pointX(on), ray.pointY(on), ray.pointZ(on), ray.directionX, ray.directionY, ray.directionZ);
         ray.leaving = hit.primitive;
         ray.departureError = hit.pointError + ahead;
         return true;

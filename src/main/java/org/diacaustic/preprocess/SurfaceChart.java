@@ -75,8 +75,17 @@ record SurfaceChart(Chart chart, Vector3[] polygon) {
             }
         }
         Vector3 along = corners[1].minus(corners[0]).normalized();
-        Vector3 normal = along.cross(corners[2].minus(corners[0])).normalized();
+        Vector3 normal = vectorArea(corners).normalized();
         return new SurfaceChart(rectangle(along, normal.cross(along), corners), corners);
+    }
+
+    /** Twice the area as a vector: a fan of triangles, of which some may have none. */
+    private static Vector3 vectorArea(Vector3[] corners) {
+        Vector3 sum = Vector3.ZERO;
+        for (int i = 1; i + 1 < corners.length; i++) {
+            sum = sum.plus(corners[i].minus(corners[0]).cross(corners[i + 1].minus(corners[0])));
+        }
+        return sum;
     }
 
     /** The square around the disc, in the disc's own coordinates, brought to the scene. */

@@ -98,6 +98,14 @@ class AmbientMapsTest {
     }
 
     @Test
+    void bytes_givenOneLitSide_countsItsTexelsOnly() {
+        // 4 texels: 3 doubles and a count of the lit side, an area and a keeper.
+        store(0, true, 1.5, 1, 4);
+        assertThat(maps(PLAIN, STRIP).bytes()).isEqualTo(4 * (28 + 12));
+        assertThat(AmbientMaps.BYTES_PER_TEXEL).isEqualTo(2 * 28 + 12);
+    }
+
+    @Test
     void irradiance_givenPhotons_isPowerOverArea() {
         // Texel 1 holds 3 + 5 W of red over an area of 2.
         store(0, true, 1.2, 0.5, 3);
