@@ -5,6 +5,9 @@ package org.diacaustic.map;
  * 2010]. The number of steps is even, so that the axes are exact; no direction is off by more than 2^-13 radians.
  */
 final class PackedNormal {
+    /** Stands for several directions; none is packed to it. */
+    static final int MIXED = -1;
+
     private static final double HALF_STEPS = 32767;
 
     private PackedNormal() {}
