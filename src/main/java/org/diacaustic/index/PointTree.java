@@ -79,6 +79,11 @@ public final class PointTree {
         return 4L * boxes.length;
     }
 
+    /** The number of leaves, a power of two; 0 if there are no points. */
+    public int leafCount() {
+        return size == 0 ? 0 : leaves;
+    }
+
     /** The first point of a leaf. */
     public int first(int leaf) {
         return first(leaf, size, levels);

@@ -2,9 +2,12 @@ package org.diacaustic.map;
 
 /**
  * A direction in 32 bits: the octahedron |x| + |y| + |z| = 1 unfolded to a square of 65534 × 65534 steps [Meyer et al.
- * 2010]. The number of steps is even, so that the axes are exact; no direction is off by more than 2^-15 radians.
+ * 2010]. The number of steps is even, so that the axes are exact; no direction is off by more than 2^-13 radians.
  */
 final class PackedNormal {
+    /** Stands for several directions; none is packed to it. */
+    static final int MIXED = -1;
+
     private static final double HALF_STEPS = 32767;
 
     private PackedNormal() {}

@@ -30,6 +30,11 @@ final class PhotonSearch {
     private double normalY;
     private double normalZ;
 
+    /** Neighbours often have the same normal, which need not be asked again. */
+    private int lastNormal;
+
+    private boolean lastAccepted;
+
     PhotonSearch(PhotonTree tree, PhotonFilter filter) {
         this.tree = tree;
         this.points = tree.points;
@@ -58,6 +63,7 @@ final class PhotonSearch {
         normalX = at.normalX;
         normalY = at.normalY;
         normalZ = at.normalZ;
+        lastNormal = PackedNormal.MIXED;
         double inUnits = radius * inverseUnit;
         points.start(walk, x, y, z, (float) (inUnits * inUnits));
     }
@@ -79,11 +85,19 @@ final class PhotonSearch {
     /** The number of photons in the next leaf that the ball touches, which may be 0; negative if there is none left. */
     int next() {
         int leaf = points.next(walk);
-        if (leaf == PointTree.DONE) {
-            return PointTree.DONE;
+        while (leaf != PointTree.DONE) {
+            int normal = filtered ? tree.leafNormal[leaf] : PackedNormal.MIXED;
+            if (normal == PackedNormal.MIXED) {
+                int count = measure(points.first(leaf), points.end(leaf));
+                return filtered ? filter(count) : count;
+            }
+            // A leaf on a flat surface is accepted or rejected as a whole.
+            if (accepts(normal)) {
+                return measure(points.first(leaf), points.end(leaf));
+            }
+            leaf = points.next(walk);
         }
-        int count = measure(points.first(leaf), points.end(leaf));
-        return filtered ? filter(count) : count;
+        return PointTree.DONE;
     }
 
     /** Notes the photons that are in the ball. */
@@ -105,24 +119,24 @@ final class PhotonSearch {
         return count;
     }
 
-    /** Keeps those that the filter accepts. Photons of a flat surface all have one normal, which is asked once. */
+    /** Keeps those that the filter accepts. */
     private int filter(int count) {
         int[] normals = tree.normal;
         int kept = 0;
-        int last = 0;
-        boolean known = false;
-        boolean accepted = false;
         for (int i = 0; i < count; i++) {
-            int normal = normals[photons[i]];
-            if (!known || normal != last) {
-                known = true;
-                last = normal;
-                accepted = PackedNormal.isWithin(normal, cosine, normalX, normalY, normalZ);
-            }
-            photons[kept] = photons[i];
+            int photon = photons[i];
+            photons[kept] = photon;
             distancesSquared[kept] = distancesSquared[i];
-            kept += accepted ? 1 : 0;
+            kept += accepts(normals[photon]) ? 1 : 0;
         }
         return kept;
+    }
+
+    private boolean accepts(int normal) {
+        if (normal != lastNormal) {
+            lastNormal = normal;
+            lastAccepted = PackedNormal.isWithin(normal, cosine, normalX, normalY, normalZ);
+        }
+        return lastAccepted;
     }
 }

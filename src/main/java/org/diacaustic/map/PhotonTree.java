@@ -32,6 +32,9 @@ public final class PhotonTree {
     final float[] blue;
     final int[] normal;
 
+    /** For each leaf, the normal that all its photons have, or {@link PackedNormal#MIXED}. */
+    final int[] leafNormal;
+
     private final Vector3 origin;
     private final double lengthUnit;
     private final double powerUnit;
@@ -60,6 +63,7 @@ public final class PhotonTree {
         blue = arrange(store, numbers, chunk -> chunk.blue, workers);
         forEachChunk(store, chunk -> chunk.blue = null);
         normal = arrangeNormals(store, numbers, workers);
+        leafNormal = leafNormals();
         store.forget();
     }
 
@@ -129,6 +133,18 @@ public final class PhotonTree {
         return all;
     }
 
+    private int[] leafNormals() {
+        int[] common = new int[points.leafCount()];
+        for (int leaf = 0; leaf < common.length; leaf++) {
+            int first = normal[points.first(leaf)];
+            common[leaf] = first;
+            for (int i = points.first(leaf); i < points.end(leaf); i++) {
+                common[leaf] = normal[i] == first ? common[leaf] : PackedNormal.MIXED;
+            }
+        }
+        return common;
+    }
+
     private static void share(Workers workers, int size, RangeTask task) {
         int tasks = (int) ((size + TASK - 1L) / TASK);
         if (tasks <= 1) {
@@ -145,7 +161,7 @@ public final class PhotonTree {
 
     /** The memory that photons and tree take. */
     public long bytes() {
-        return 28L * size() + points.bytes();
+        return 28L * size() + 4L * leafNormal.length + points.bytes();
     }
 
     /** In scene units. */
