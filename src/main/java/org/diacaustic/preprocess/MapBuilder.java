@@ -21,8 +21,8 @@ import org.diacaustic.scene.MapSettings;
 
 /** Makes a map of the photons of a forward pass. What settings leave open it finds from the photons and the camera. */
 public final class MapBuilder {
-    /** The part of the memory that ambient maps may take. */
-    private static final int MEMORY_PART = 4;
+    /** The memory that ambient maps may take, in bytes: a number of its own, so that pictures do not depend on the machine. */
+    private static final long AMBIENT_MAP_BYTES = 1 << 28;
 
     /** Photons that are asked about their neighbours. */
     private static final int SAMPLES = 1024;
@@ -59,11 +59,7 @@ public final class MapBuilder {
     private IlluminationMap ambientMaps(Camera camera, PhotonStore photons) {
         ChartSizing sizing = settings.mapColumns() > 0 && settings.mapRows() > 0
                 ? ChartSizing.equal(settings.mapColumns(), settings.mapRows())
-                : CameraSizing.of(
-                        plan.index(),
-                        camera,
-                        photons.size(),
-                        Runtime.getRuntime().maxMemory() / MEMORY_PART);
+                : CameraSizing.of(plan.index(), camera, photons.size(), AMBIENT_MAP_BYTES);
         List<AmbientChart> charts = AmbientCharts.of(plan.index(), sizing, workers);
         boolean counts = plan.estimator() == EstimatorName.EXPECTED_COUNT;
         AmbientOptions options = new AmbientOptions(

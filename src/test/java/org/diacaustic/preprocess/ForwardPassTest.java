@@ -72,11 +72,11 @@ class ForwardPassTest {
     @MethodSource("lights")
     void run_givenAnyLight_storesTheSameFluxWhateverChoseTheRays(Light light) {
         Scene scene = Forward.ballsOverFloor(light);
-        double random = power(Forward.run(scene, PHYSICAL, "random", 400_000).photons());
+        double random = Forward.run(scene, PHYSICAL, "random", 400_000).ledger().stored();
         for (String preProcessor : preProcessors()) {
-            double power =
-                    power(Forward.run(scene, PHYSICAL, preProcessor, 60_000).photons());
-            assertThat(power).as(preProcessor).isCloseTo(random, within(0.02 * random));
+            double stored =
+                    Forward.run(scene, PHYSICAL, preProcessor, 60_000).ledger().stored();
+            assertThat(stored).as(preProcessor).isCloseTo(random, within(0.02 * random));
         }
     }
 
