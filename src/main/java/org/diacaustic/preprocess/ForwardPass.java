@@ -1,6 +1,8 @@
 package org.diacaustic.preprocess;
 
 import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.DoubleConsumer;
 import org.diacaustic.light.Light;
 import org.diacaustic.map.InitialHits;
 import org.diacaustic.map.PhotonSlice;
@@ -22,6 +24,9 @@ public final class ForwardPass {
     private final PhotonStore store;
     private final EnergyLedger ledger = new EnergyLedger();
     private final ForwardCounters counters = new ForwardCounters();
+    private final DoubleConsumer progress;
+    private final long raysPlanned;
+    private final AtomicLong raysDone = new AtomicLong();
     private InitialHits initialHits;
     private Beam beam;
     private int stage;
@@ -29,12 +34,20 @@ public final class ForwardPass {
     /**
      * @param pass the number of the pass: passes are independent of each other
      * @param workers who do the work; if they are stopped, what was done by then is there
+     * @param progress hears about which part of the pass is done, 0 to 1, from several threads
      */
-    public ForwardPass(ForwardPlan plan, int pass, Workers workers) {
+    public ForwardPass(ForwardPlan plan, int pass, Workers workers, DoubleConsumer progress) {
+        this.progress = progress;
+        this.raysPlanned = plan.beams().stream().mapToLong(Beam::rays).sum();
         this.plan = plan;
         this.pass = pass;
         this.workers = plan.isSequential() ? new Workers(1, workers.stop()) : workers;
         this.store = new PhotonStore(plan.origin(), plan.powerUnit(), plan.capacity());
+    }
+
+    /** A pass that reports to nobody. */
+    public ForwardPass(ForwardPlan plan, int pass, Workers workers) {
+        this(plan, pass, workers, part -> {});
     }
 
     /** Runs the pass, once. */
@@ -90,6 +103,8 @@ public final class ForwardPass {
                 counts[task] = new ForwardCounters();
                 tracer.startTask(slices[task], ledgers[task], counts[task]);
                 body.run(task, emitter);
+                long done = raysDone.addAndGet(counts[task].primaryRays);
+                progress.accept(Math.min(1, (double) done / raysPlanned));
             };
         });
         Arrays.stream(slices).filter(slice -> slice != null).forEach(store::append);

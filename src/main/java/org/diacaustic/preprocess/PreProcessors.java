@@ -10,12 +10,19 @@ import org.diacaustic.scene.Settings;
 public final class PreProcessors {
     private PreProcessors() {}
 
+    /** Those that {@link ServiceLoader} finds. */
+    public static List<PreProcessor> installed() {
+        return ServiceLoader.load(PreProcessor.class).stream()
+                .map(ServiceLoader.Provider::get)
+                .toList();
+    }
+
     /**
-     * The built-in ones and those that {@link ServiceLoader} finds, by name.
+     * The built-in ones and others, by name.
      *
      * @throws ForwardPlanException if two have the same name
      */
-    public static Map<String, PreProcessor> byName() {
+    public static Map<String, PreProcessor> byName(List<PreProcessor> additional) {
         Map<String, PreProcessor> all = new LinkedHashMap<>();
         for (PreProcessor builtIn : List.of(
                 new RandomPreProcessor(),
@@ -25,7 +32,7 @@ public final class PreProcessors {
                 new AdaptivePreProcessor())) {
             all.put(builtIn.name(), builtIn);
         }
-        for (PreProcessor found : ServiceLoader.load(PreProcessor.class)) {
+        for (PreProcessor found : additional) {
             if (found.name().equals(Settings.AUTO)
                     || found.name().equals(Settings.NONE)
                     || all.putIfAbsent(found.name(), found) != null) {

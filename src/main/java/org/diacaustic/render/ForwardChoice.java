@@ -89,12 +89,16 @@ final class ForwardChoice {
         }
     }
 
-    /** The forward pass; nothing if none is asked for or needed. */
-    Optional<ForwardPlan> plan() {
+    /**
+     * The forward pass; nothing if none is asked for or needed.
+     *
+     * @param additional pre-processors beside the built-in ones
+     */
+    Optional<ForwardPlan> plan(List<PreProcessor> additional) {
         String reason = reasonForNone();
         if (reason == null) {
             try {
-                ForwardPlan plan = choose(PreProcessors.byName());
+                ForwardPlan plan = choose(PreProcessors.byName(additional));
                 describe(plan);
                 return Optional.of(plan);
             } catch (ForwardPlanException refused) {

@@ -25,10 +25,11 @@ public final class RenderJob {
     private final AtomicBoolean started = new AtomicBoolean();
     private final Object progressLock = new Object();
     private int tilesDone;
+    private int partsDone;
 
     /**
      * @param threads at least 1
-     * @param listener hears of every finished tile
+     * @param listener hears of every finished part: tiles, and equal parts of forward passes
      * @throws ResourceLimitException if the picture does not fit in memory
      */
     public RenderJob(RenderPlan plan, int threads, ProgressListener listener) {
@@ -88,11 +89,16 @@ public final class RenderJob {
     private IlluminationMap illuminate(
             ForwardPlan forwardPlan, MapBuilder builder, int pass, Workers workers, ForwardTotals totals) {
         long start = System.nanoTime();
-        ForwardPass forward = new ForwardPass(forwardPlan, pass, workers);
+        int before = partsDone;
+        ForwardPass forward =
+                new ForwardPass(forwardPlan, pass, workers, part -> progress(before + (int) (part * tileCount())));
         try {
             forward.run();
         } catch (PhotonCapacityException full) {
             throw new ResourceLimitException(full.getMessage() + ": give fewer rays, or Java more memory (-Xmx)");
+        }
+        if (!stop.isSet()) {
+            progress(before + tileCount());
         }
         long traced = System.nanoTime();
         IlluminationMap map = stop.isSet() ? null : builder.build(plan.scene().camera(), forward.photons(), pass);
@@ -115,7 +121,18 @@ public final class RenderJob {
         if (renderer.render(scattered(number), stop)) {
             synchronized (progressLock) {
                 tilesDone++;
-                listener.progressed(tilesDone, plan.passes() * tileCount());
+                progress(partsDone + 1);
+            }
+        }
+    }
+
+    /** Tells the listener of every part up to this number; a forward pass counts as much as its picture. */
+    private void progress(int done) {
+        int total = plan.passes() * tileCount() * (plan.forward().isPresent() ? 2 : 1);
+        synchronized (progressLock) {
+            while (partsDone < done) {
+                partsDone++;
+                listener.progressed(partsDone, total);
             }
         }
     }

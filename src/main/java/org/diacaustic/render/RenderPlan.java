@@ -9,6 +9,8 @@ import java.util.ServiceLoader;
 import org.diacaustic.light.Light;
 import org.diacaustic.material.TransportMode;
 import org.diacaustic.preprocess.ForwardPlan;
+import org.diacaustic.preprocess.PreProcessor;
+import org.diacaustic.preprocess.PreProcessors;
 import org.diacaustic.scene.MediumLocator;
 import org.diacaustic.scene.MediumStack;
 import org.diacaustic.scene.Scene;
@@ -36,13 +38,13 @@ public final class RenderPlan {
     private final Light[] visibleLights;
     private final List<Decision> decisions;
 
-    private RenderPlan(Scene scene, Settings settings, Map<String, Shader> shaders) {
+    private RenderPlan(Scene scene, Settings settings, Map<String, Shader> shaders, List<PreProcessor> preProcessors) {
         this.scene = scene;
         this.settings = settings;
         this.index = SceneIndex.of(scene.objects(), settings.usesListOrder());
         SceneTraits traits = new SceneTraits(scene);
         ForwardChoice forwardChoice = new ForwardChoice(scene, index, settings, traits);
-        this.forward = forwardChoice.plan();
+        this.forward = forwardChoice.plan(preProcessors);
         PlanReasons reasons = new PlanReasons(scene, settings, index, traits, forward.isPresent());
         String name = settings.shader().equals(Settings.AUTO) ? reasons.bestShader() : settings.shader();
         this.shader = shaders.get(name);
@@ -58,18 +60,23 @@ public final class RenderPlan {
     }
 
     /**
-     * Plans a render with the built-in shading models and those that {@link ServiceLoader} finds.
+     * Plans a render with the built-in shading models and pre-processors and those that {@link ServiceLoader} finds.
      *
      * @throws PlanException if a name is unknown or choices exclude each other
      */
     public static RenderPlan of(Scene scene, Settings settings) {
         List<Shader> found = new ArrayList<>();
         ServiceLoader.load(Shader.class).forEach(found::add);
-        return of(scene, settings, found);
+        return of(scene, settings, found, PreProcessors.installed());
     }
 
-    /** Plans a render with shading models of the caller's beside the built-in ones. */
-    public static RenderPlan of(Scene scene, Settings settings, List<Shader> additional) {
+    /**
+     * Plans a render with shading models and pre-processors of the caller's beside the built-in ones.
+     *
+     * @throws PlanException as above, or if two have the same name
+     */
+    public static RenderPlan of(
+            Scene scene, Settings settings, List<Shader> additional, List<PreProcessor> preProcessors) {
         Map<String, Shader> shaders = new LinkedHashMap<>();
         shaders.put(NonTransparentShader.NAME, new NonTransparentShader());
         shaders.put(NonRefractiveShader.NAME, new NonRefractiveShader(settings.scatterRules(), settings.attenuates()));
@@ -79,7 +86,7 @@ public final class RenderPlan {
                         "a shader of one's own must not be named '" + shader.name() + "': that is the name of another");
             }
         }
-        return new RenderPlan(scene, settings, shaders);
+        return new RenderPlan(scene, settings, shaders, preProcessors);
     }
 
     public Scene scene() {

@@ -1,5 +1,6 @@
 package org.diacaustic.preprocess;
 
+import java.util.List;
 import java.util.function.UnaryOperator;
 import org.diacaustic.light.Falloff;
 import org.diacaustic.light.Light;
@@ -92,7 +93,7 @@ final class Forward {
                 ? EstimatorName.DENSITY
                 : settings.maps().estimator();
         return new ForwardPlanner(scene, index, settings)
-                .plan(PreProcessors.byName().get(preProcessor), rays, MapName.PHOTON_MAP, estimator);
+                .plan(PreProcessors.byName(List.of()).get(preProcessor), rays, MapName.PHOTON_MAP, estimator);
     }
 
     static ForwardPass run(Scene scene, Settings settings, String preProcessor, long rays) {
