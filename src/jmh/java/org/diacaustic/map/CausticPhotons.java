@@ -1,8 +1,12 @@
 package org.diacaustic.map;
 
-import java.util.SplittableRandom;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.Random;
 import org.diacaustic.math.Rgb;
+import org.diacaustic.math.SampleStream;
 import org.diacaustic.math.Vector3;
+import org.diacaustic.parallel.Workers;
 
 /**
  * What benchmarks gather: light from straight above, refracted by waves, on a floor and a sphere under them. Photons crowd on
@@ -17,29 +21,52 @@ final class CausticPhotons {
     /** The sphere stands on the floor. */
     private static final double SPHERE = 0.35;
 
-    private final PhotonStore store;
+    private final SampleStream random = new SampleStream();
     private final SurfacePoint landing = new SurfacePoint();
+    private final Rgb power = new Rgb().set(1, 0.9, 0.8);
 
-    private CausticPhotons(int count) {
-        store = new PhotonStore(new Vector3(0, FLOOR, 0), 1, count);
-    }
-
-    /** The photons that are stored first when light falls on the waves at random. */
+    /** The photons that land first when light falls on the waves at random. */
     static PhotonStore store(int count) {
-        return new CausticPhotons(count).fill(count);
+        PhotonStore store = new PhotonStore(new Vector3(0, FLOOR, 0), 1, count);
+        PhotonSlice slice = store.slice();
+        new CausticPhotons().add(0, count, slice);
+        store.append(slice);
+        return store;
     }
 
-    private PhotonStore fill(int count) {
-        SplittableRandom random = new SplittableRandom(1999);
-        PhotonSlice slice = store.slice();
-        Rgb power = new Rgb().set(1, 0.9, 0.8);
+    /** Adds the photons of a task. */
+    void add(int task, int count, PhotonSlice slice) {
+        random.start(1999, task, 0);
         while (slice.size() < count) {
-            if (land(random.nextDouble(-1, 1), random.nextDouble(-1, 1))) {
+            if (land(2 * random.nextDouble() - 1, 2 * random.nextDouble() - 1)) {
                 slice.add(landing, power);
             }
         }
-        store.append(slice);
-        return store;
+    }
+
+    /** The radius within which there is a number of photons, on average over what is asked. */
+    static double radiusFor(int count, int photons) {
+        PhotonTree tree = PhotonTree.movedFrom(store(photons), new Workers(1));
+        SurfacePoint[] points = queries(2000, false);
+        double low = 0;
+        double high = 1;
+        for (int step = 0; step < 30; step++) {
+            double radius = (low + high) / 2;
+            PhotonSearch search = new PhotonSearch(tree, PhotonFilter.TWO_SIDED_NORMAL);
+            long found = 0;
+            for (SurfacePoint point : points) {
+                search.start(point, radius);
+                for (int next = search.next(); next >= 0; next = search.next()) {
+                    found += next;
+                }
+            }
+            if (found > (long) count * points.length) {
+                high = radius;
+            } else {
+                low = radius;
+            }
+        }
+        return low;
     }
 
     /** Follows light from above the waves to where it lands. */
@@ -105,9 +132,9 @@ final class CausticPhotons {
                 }
             }
         }
-        SurfacePoint[] points = java.util.Arrays.copyOf(all, found);
+        SurfacePoint[] points = Arrays.copyOf(all, found);
         if (shuffled) {
-            java.util.Collections.shuffle(java.util.Arrays.asList(points), new java.util.Random(7));
+            Collections.shuffle(Arrays.asList(points), new Random(7));
         }
         return points;
     }
