@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import org.diacaustic.image.Exposure;
 import org.diacaustic.image.WholeFile;
+import org.diacaustic.json.JsonWriter;
 import org.diacaustic.render.Counters;
 import org.diacaustic.render.RenderPlan;
 import org.diacaustic.render.Rendering;
