@@ -1,0 +1,12 @@
+package org.diacaustic.study;
+
+/** Carries out experiments. */
+interface Laboratory {
+
+    /**
+     * Runs one experiment once.
+     *
+     * @param seed of everything random; the same seed gives the same counts and the same picture
+     */
+    Measurement measure(Experiment experiment, long seed);
+}
