@@ -1,10 +1,11 @@
 package org.diacaustic.map;
 
-import org.diacaustic.math.Rgb;
-
-/** A direction in 32 bits: the octahedron unfolded to a square of 65535 × 65535 steps [Meyer et al. 2010]. */
+/**
+ * A direction in 32 bits: the octahedron |x| + |y| + |z| = 1 unfolded to a square of 65534 × 65534 steps [Meyer et al.
+ * 2010]. The number of steps is even, so that the axes are exact; no direction is off by more than 2^-15 radians.
+ */
 final class PackedNormal {
-    private static final double STEPS = 65535;
+    private static final double HALF_STEPS = 32767;
 
     private PackedNormal() {}
 
@@ -18,21 +19,34 @@ final class PackedNormal {
             q = (1 - Math.abs(p)) * Math.copySign(1, q);
             p = folded;
         }
-        int high = (int) Math.rint((p + 1) / 2 * STEPS);
-        int low = (int) Math.rint((q + 1) / 2 * STEPS);
+        int high = (int) Math.rint((p + 1) * HALF_STEPS);
+        int low = (int) Math.rint((q + 1) * HALF_STEPS);
         return high << 16 | low;
     }
 
-    /** Sets {@code out} to the direction (red, green, blue being x, y, z), not normalised: its |x| + |y| + |z| is 1. */
-    static void unpack(int packed, Rgb out) {
-        double p = (packed >>> 16) / STEPS * 2 - 1;
-        double q = (packed & 0xFFFF) / STEPS * 2 - 1;
+    /** Sets the normal of {@code out} to the direction. */
+    static void unpack(int packed, SurfacePoint out) {
+        double p = (packed >>> 16) / HALF_STEPS - 1;
+        double q = (packed & 0xFFFF) / HALF_STEPS - 1;
         double z = 1 - Math.abs(p) - Math.abs(q);
-        if (z < 0) {
-            double unfolded = (1 - Math.abs(q)) * Math.copySign(1, p);
-            q = (1 - Math.abs(p)) * Math.copySign(1, q);
-            p = unfolded;
-        }
-        out.set(p, q, z);
+        double fold = Math.max(-z, 0);
+        double x = p - Math.copySign(fold, p);
+        double y = q - Math.copySign(fold, q);
+        double length = Math.sqrt(x * x + y * y + z * z);
+        out.normalX = x / length;
+        out.normalY = y / length;
+        out.normalZ = z / length;
+    }
+
+    /** Whether the direction is within an angle below 90° of a unit vector, the cosine of which is given. */
+    static boolean isWithin(int packed, double cosine, double ux, double uy, double uz) {
+        double p = (packed >>> 16) / HALF_STEPS - 1;
+        double q = (packed & 0xFFFF) / HALF_STEPS - 1;
+        double z = 1 - Math.abs(p) - Math.abs(q);
+        double fold = Math.max(-z, 0);
+        double x = p - Math.copySign(fold, p);
+        double y = q - Math.copySign(fold, q);
+        double along = x * ux + y * uy + z * uz;
+        return along > 0 && along * along >= cosine * cosine * (x * x + y * y + z * z);
     }
 }

@@ -1,108 +1,137 @@
 package org.diacaustic.map;
 
-import java.util.Arrays;
+import java.util.ArrayList;
+import java.util.List;
 import org.diacaustic.math.Rgb;
 import org.diacaustic.math.Vector3;
 
 /**
  * Photons: where light landed, how much, and on which side of which object. Primitive arrays, no object per photon [Thesis
- * 6.5 names that as the bottleneck]. Tasks fill slices of their own, which are appended in the order of the tasks, so the
- * photons and their order do not depend on the number of threads.
+ * 6.5 names that as the bottleneck], 32 bytes each. Tasks fill slices of their own, which are appended in the order of the
+ * tasks, so the photons and their order do not depend on the number of threads. Slices and store take their room from one
+ * pool: appending needs no more of it, and nothing is allocated for a photon once there are chunks to use again.
  */
 public final class PhotonStore {
     private final Vector3 origin;
     private final double powerUnit;
-    private final int capacity;
-    private int size;
-    private float[] x = new float[0];
-    private float[] y = new float[0];
-    private float[] z = new float[0];
-    private float[] red = new float[0];
-    private float[] green = new float[0];
-    private float[] blue = new float[0];
-    private int[] normal = new int[0];
-    private int[] receiver = new int[0];
+    private final PhotonPool pool;
+    private final List<PhotonChunk> chunks = new ArrayList<>();
+    private int used = PhotonChunk.SIZE;
+    private long rejected;
 
     /**
      * @param origin positions are kept as single-precision offsets from here: the middle of what is lit
      * @param powerUnit a power of two about the size of a photon's power, in W, so that none is too small or large for
-     *     single precision
+     *     single precision: powers below 2^-149 units become 0, those from 2^128 units on are left out and counted
      * @param capacity the most photons that may be stored
+     * @throws IllegalArgumentException if the origin is not finite, the unit not a positive number or the capacity
+     *     negative
      */
     public PhotonStore(Vector3 origin, double powerUnit, int capacity) {
+        if (!origin.isFinite() || !(powerUnit > 0 && 1 / powerUnit > 0 && 1 / powerUnit <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("photons need a finite origin and a positive unit of power, but have "
+                    + origin + " and " + powerUnit);
+        }
+        if (capacity < 0) {
+            throw new IllegalArgumentException("a capacity must not be negative, but is " + capacity);
+        }
         this.origin = origin;
         this.powerUnit = powerUnit;
-        this.capacity = capacity;
+        this.pool = new PhotonPool(capacity);
     }
 
-    /** An empty slice for one task. */
+    /** An empty slice for one task; may be asked for on any thread. */
     public PhotonSlice slice() {
-        return new PhotonSlice(origin, powerUnit);
+        return new PhotonSlice(pool, origin, powerUnit);
     }
 
     /**
-     * Appends the photons of a slice.
+     * Appends the photons of a slice of this store, which is empty afterwards and may be filled again.
      *
-     * @throws IllegalStateException if they exceed the capacity
+     * @throws PhotonCapacityException if they exceed the capacity
      */
     public void append(PhotonSlice slice) {
-        long needed = (long) size + slice.size();
-        if (needed > capacity) {
-            throw new IllegalStateException("more than " + capacity + " photons");
-        }
-        reserve((int) needed);
+        slice.countRest();
+        rejected += slice.rejectedCount();
         int left = slice.size();
-        for (PhotonSlice.Chunk chunk : slice.chunks) {
-            int count = Math.min(left, PhotonSlice.CHUNK);
-            System.arraycopy(chunk.x, 0, x, size, count);
-            System.arraycopy(chunk.y, 0, y, size, count);
-            System.arraycopy(chunk.z, 0, z, size, count);
-            System.arraycopy(chunk.red, 0, red, size, count);
-            System.arraycopy(chunk.green, 0, green, size, count);
-            System.arraycopy(chunk.blue, 0, blue, size, count);
-            System.arraycopy(chunk.normal, 0, normal, size, count);
-            System.arraycopy(chunk.receiver, 0, receiver, size, count);
-            size += count;
+        for (int i = 0; left > 0; i++) {
+            int count = Math.min(left, PhotonChunk.SIZE);
+            append(slice.chunks.get(i), count);
             left -= count;
         }
+        slice.release();
     }
 
-    private void reserve(int needed) {
-        if (needed > x.length) {
-            int length = (int) Math.min(capacity, Math.max(needed, x.length * 3L / 2));
-            x = Arrays.copyOf(x, length);
-            y = Arrays.copyOf(y, length);
-            z = Arrays.copyOf(z, length);
-            red = Arrays.copyOf(red, length);
-            green = Arrays.copyOf(green, length);
-            blue = Arrays.copyOf(blue, length);
-            normal = Arrays.copyOf(normal, length);
-            receiver = Arrays.copyOf(receiver, length);
+    private void append(PhotonChunk chunk, int count) {
+        int place = 0;
+        while (place < count) {
+            if (used == PhotonChunk.SIZE) {
+                chunks.add(pool.take());
+                used = 0;
+            }
+            int next = Math.min(count - place, PhotonChunk.SIZE - used);
+            chunks.get(chunks.size() - 1).copy(chunk, place, used, next);
+            place += next;
+            used += next;
         }
     }
 
+    /** Takes all photons out, for a pass that stores anew; there must be no slice that is not appended. */
+    public void clear() {
+        pool.give(chunks);
+        forget();
+    }
+
+    /** Is empty from now on, and leaves the chunks to whoever has taken them. */
+    void forget() {
+        chunks.clear();
+        used = PhotonChunk.SIZE;
+        rejected = 0;
+        pool.forget();
+    }
+
+    /** The number of photons stored. */
     public int size() {
-        return size;
+        return chunks.isEmpty() ? 0 : (chunks.size() - 1) * PhotonChunk.SIZE + used;
+    }
+
+    /** The number of photons left out because their numbers were not finite or their power negative. */
+    public long rejectedCount() {
+        return rejected;
+    }
+
+    Vector3 origin() {
+        return origin;
+    }
+
+    double powerUnit() {
+        return powerUnit;
+    }
+
+    PhotonChunk chunk(int number) {
+        return chunks.get(number);
+    }
+
+    int chunkCount() {
+        return chunks.size();
     }
 
     /** Sets point, normal and receiver to those of photon i. */
     public void position(int i, SurfacePoint out) {
-        out.x = x[i] + origin.x();
-        out.y = y[i] + origin.y();
-        out.z = z[i] + origin.z();
-        Rgb direction = new Rgb();
-        PackedNormal.unpack(normal[i], direction);
-        double length = Math.sqrt(
-                direction.red * direction.red + direction.green * direction.green + direction.blue * direction.blue);
-        out.normalX = direction.red / length;
-        out.normalY = direction.green / length;
-        out.normalZ = direction.blue / length;
-        out.object = receiver[i] >>> 1;
-        out.front = (receiver[i] & 1) != 0;
+        PhotonChunk chunk = chunks.get(i >> PhotonChunk.BITS);
+        int place = i & PhotonChunk.SIZE - 1;
+        out.x = chunk.x[place] + origin.x();
+        out.y = chunk.y[place] + origin.y();
+        out.z = chunk.z[place] + origin.z();
+        PackedNormal.unpack(chunk.normal[place], out);
+        out.object = chunk.receiver[place] >>> 1;
+        out.front = (chunk.receiver[place] & 1) != 0;
     }
 
     /** Sets the power of photon i, in W. */
     public void power(int i, Rgb out) {
-        out.set(red[i] * powerUnit, green[i] * powerUnit, blue[i] * powerUnit);
+        PhotonChunk chunk = chunks.get(i >> PhotonChunk.BITS);
+        int place = i & PhotonChunk.SIZE - 1;
+        out.set(chunk.red[place] * powerUnit, chunk.green[place] * powerUnit, chunk.blue[place] * powerUnit);
     }
 }

@@ -4,9 +4,13 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
-import org.diacaustic.image.LinearImage;
+import org.diacaustic.map.IlluminationMap;
 import org.diacaustic.parallel.StopSignal;
 import org.diacaustic.parallel.Workers;
+import org.diacaustic.preprocess.ForwardPass;
+import org.diacaustic.preprocess.ForwardPlan;
+import org.diacaustic.preprocess.ForwardTotals;
+import org.diacaustic.preprocess.MapBuilder;
 
 /**
  * One render on its way: runs once, on as many threads as wanted, reports progress and can be cancelled from anywhere.
@@ -32,7 +36,7 @@ public final class RenderJob {
         }
         plan.requireMemory();
         this.plan = plan;
-        this.threads = Math.min(threads, plan.tilesAcross() * plan.tilesDown());
+        this.threads = plan.forward().isPresent() ? threads : Math.min(threads, plan.tilesAcross() * plan.tilesDown());
         this.listener = listener;
     }
 
@@ -57,26 +61,55 @@ public final class RenderJob {
         if (started.getAndSet(true)) {
             throw new IllegalStateException("a job runs once");
         }
+        Workers workers = new Workers(threads, stop);
+        PassMean picture = new PassMean(
+                plan.scene().camera().width(), plan.scene().camera().height(), plan.passes());
+        Counters counters = new Counters();
+        ForwardTotals forward = new ForwardTotals();
+        double seconds = 0;
+        for (int pass = 0; pass < plan.passes() && !stop.isSet(); pass++) {
+            IlluminationMap map = illuminate(pass, workers, forward);
+            if (!stop.isSet()) {
+                long start = System.nanoTime();
+                renderPass(pass, map, picture, workers, counters);
+                seconds += (System.nanoTime() - start) * 1e-9;
+            }
+        }
+        return new Rendering(
+                picture.image(), counters, forward, threads, tilesDone, plan.passes() * tileCount(), seconds);
+    }
+
+    /** Runs the forward pass, if there is one, and makes a map of what it brings; null if there is none. */
+    private IlluminationMap illuminate(int pass, Workers workers, ForwardTotals totals) {
+        if (plan.forward().isEmpty()) {
+            return null;
+        }
+        ForwardPlan forwardPlan = plan.forward().get();
         long start = System.nanoTime();
-        LinearImage image = new LinearImage(
-                plan.scene().camera().width(), plan.scene().camera().height());
+        ForwardPass forward = new ForwardPass(forwardPlan, pass, workers).run();
+        long traced = System.nanoTime();
+        IlluminationMap map =
+                stop.isSet() ? null : MapBuilder.build(plan.scene().camera(), forwardPlan, forward, pass, workers);
+        double built = (System.nanoTime() - traced) * 1e-9;
+        totals.add(forward, map == null ? 0 : map.bytes(), (traced - start) * 1e-9, built);
+        return map;
+    }
+
+    private void renderPass(int pass, IlluminationMap map, PassMean picture, Workers workers, Counters counters) {
         List<TileRenderer> renderers = Collections.synchronizedList(new ArrayList<>());
-        new Workers(threads, stop).run(tileCount(), () -> {
-            TileRenderer renderer = new TileRenderer(plan, image);
+        workers.run(tileCount(), () -> {
+            TileRenderer renderer = new TileRenderer(plan, map, pass, picture);
             renderers.add(renderer);
             return number -> render(number, renderer);
         });
-        Counters counters = new Counters();
         renderers.forEach(renderer -> counters.add(renderer.counters()));
-        double seconds = (System.nanoTime() - start) * 1e-9;
-        return new Rendering(image, counters, threads, tilesDone, tileCount(), seconds);
     }
 
     private void render(int number, TileRenderer renderer) {
         if (renderer.render(scattered(number), stop)) {
             synchronized (progressLock) {
                 tilesDone++;
-                listener.progressed(tilesDone, tileCount());
+                listener.progressed(tilesDone, plan.passes() * tileCount());
             }
         }
     }

@@ -298,7 +298,7 @@ class RenderCommandTest {
                 .allMatch(line -> line.matches("(uses |omits) [a-z -]+: .+ \\(.+\\)"))
                 .contains("uses  supersampling: 4 rays a pixel (asked for)");
         JsonNode json = JSON.readTree(Cli.run("plan", scene, "--json").out());
-        assertThat(json.get("used").get(0).get("part").asText()).isEqualTo("shader");
+        assertThat(json.get("used").get(0).get("part").asText()).isEqualTo("preprocessor");
         assertThat(json.get("used").size() + json.get("leftOut").size())
                 .isEqualTo((int) text.out().lines().count());
     }

@@ -82,7 +82,8 @@ class RenderPlanTest {
                 .light(new DirectionalLight(v(0, -1, 0), Color.WHITE, 10))
                 .camera(Camera.builder().lens(1, 2).build())
                 .build();
-        RenderPlan plan = RenderPlan.of(scene, PHYSICAL.toBuilder().samples(9).build());
+        RenderPlan plan = RenderPlan.of(
+                scene, Eye.withoutMap(PHYSICAL.toBuilder()).samples(9).build());
         for (String part : List.of(
                 "shader",
                 "filter walk",
