@@ -19,7 +19,7 @@ public final class AmbientCharts {
      * Charts with the true area of every texel, of the objects that can show diffuse light. Maps around a point get an even
      * number of columns: one more if it is odd.
      *
-     * @throws UnmappableObjectException if such an object has no end
+     * @throws ForwardPlanException if such an object has no end
      */
     public static List<AmbientChart> of(SceneIndex scene, ChartSizing sizing, Workers workers) {
         List<AmbientChart> charts = new ArrayList<>();
@@ -43,7 +43,7 @@ public final class AmbientCharts {
      * The cells of an initial-hit map: for each object of the scene its cells if it is transparent, null if it is not
      * [Thesis 4.4].
      *
-     * @throws UnmappableObjectException if such an object has no end
+     * @throws ForwardPlanException if such an object has no end
      */
     public static List<TexelGrid> initialHits(SceneIndex scene, ChartSizing sizing) {
         List<TexelGrid> grids = new ArrayList<>();
@@ -53,6 +53,19 @@ public final class AmbientCharts {
             grids.add(surface.map(found -> grid(found.chart(), size)).orElse(null));
         }
         return grids;
+    }
+
+    /**
+     * Checks that everything that can show diffuse light can have a map.
+     *
+     * @throws ForwardPlanException if such an object has no end
+     */
+    static void requireEnds(SceneIndex scene) {
+        for (int i = 0; i < scene.size(); i++) {
+            if (scene.object(i).material().isDiffuse()) {
+                SurfaceChart.of(scene.object(i));
+            }
+        }
     }
 
     static TexelGrid grid(Chart chart, ChartSize size) {

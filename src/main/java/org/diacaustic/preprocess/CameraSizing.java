@@ -53,7 +53,7 @@ public final class CameraSizing implements ChartSizing {
      *
      * @param expectedPhotons on all maps together
      * @param bytes that all maps together may take; only maps of the least size may take more
-     * @throws UnmappableObjectException if an object that can show diffuse light has no end
+     * @throws ForwardPlanException if an object that can show diffuse light has no end
      */
     public static CameraSizing of(SceneIndex scene, Camera camera, long expectedPhotons, long bytes) {
         CameraSizing sizing = new CameraSizing(scene);

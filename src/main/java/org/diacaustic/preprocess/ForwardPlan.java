@@ -13,11 +13,13 @@ import org.diacaustic.transport.PathRules;
  *
  * @param index the scene
  * @param rules how light is followed
+ * @param rouletteThroughput light that carries a smaller fraction of its ray's flux is followed by chance; 0: never
  * @param preProcessor chooses the rays
  * @param beams one for each light and window
  * @param isWeighted whether rays carry flux; otherwise each carries as much as any other [Thesis 4.5]
  * @param seed of all random choices
  * @param origin the middle of what has bounds: photons are placed relative to it
+ * @param extent the radius of a ball about the origin that holds it, positive
  * @param powerUnit a power of two near the power of a photon, in W
  * @param capacity the most photons that may be stored
  * @param map what keeps the light, chosen
@@ -28,11 +30,13 @@ import org.diacaustic.transport.PathRules;
 public record ForwardPlan(
         SceneIndex index,
         PathRules rules,
+        double rouletteThroughput,
         PreProcessor preProcessor,
         List<Beam> beams,
         boolean isWeighted,
         long seed,
         Vector3 origin,
+        double extent,
         double powerUnit,
         int capacity,
         MapName map,

@@ -25,6 +25,9 @@ public final class ForwardPlanner {
     /** Bytes of memory that a photon may take all in, with the tree over it and what building that needs meanwhile. */
     private static final int BYTES_A_PHOTON = 48;
 
+    /** Below this fraction of its ray's flux, light is followed by chance, unless the settings follow everything. */
+    private static final double ROULETTE_THROUGHPUT = 0.25;
+
     /** How often a window's flux is looked at along each side. */
     private static final int FLUX_SAMPLES = 8;
 
@@ -55,10 +58,13 @@ public final class ForwardPlanner {
      * @param rays to choose in all
      * @param map what keeps the light, not left to the plan
      * @param estimator how it is read, not left to the plan
-     * @throws ForwardPlanException if the pre-processor cannot serve a light of the scene
+     * @throws ForwardPlanException if the pre-processor cannot serve a light of the scene, or the map an object
      */
     public ForwardPlan plan(PreProcessor preProcessor, long rays, MapName map, EstimatorName estimator) {
         boolean isWeighted = estimator != EstimatorName.EXPECTED_COUNT;
+        if (map == MapName.AMBIENT_MAPS) {
+            AmbientCharts.requireEnds(index);
+        }
         List<Target> targets = targets();
         List<Beam> beams = new ArrayList<>();
         double powerUnit = 0;
@@ -77,17 +83,19 @@ public final class ForwardPlanner {
                 settings.scatterRules(),
                 TransportMode.FLUX,
                 forward.maxDepth(),
-                settings.minimumThroughput(),
+                0,
                 forward.followsReflections(),
                 settings.usesListOrder());
         return new ForwardPlan(
                 index,
                 rules,
+                settings.minimumThroughput() > 0 ? ROULETTE_THROUGHPUT : 0,
                 preProcessor,
                 List.copyOf(beams),
                 isWeighted,
                 settings.seed(),
                 bounds.isEmpty() ? Vector3.ZERO : bounds.centre(),
+                !bounds.isEmpty() && bounds.radius() > 0 ? bounds.radius() : 1,
                 powerUnit > 0 ? Arithmetic.powerOfTwoNear(powerUnit) : 1,
                 capacity(),
                 map,

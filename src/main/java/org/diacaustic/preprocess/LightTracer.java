@@ -6,6 +6,7 @@ import org.diacaustic.map.InitialHits;
 import org.diacaustic.map.PhotonSlice;
 import org.diacaustic.map.SurfacePoint;
 import org.diacaustic.math.Rgb;
+import org.diacaustic.math.SampleStream;
 import org.diacaustic.parallel.StopSignal;
 import org.diacaustic.transport.PathTracer;
 
@@ -19,6 +20,7 @@ final class LightTracer extends PathTracer {
     /** Null unless areas of refracting objects let only some rays through. */
     private final InitialHits initialHits;
 
+    private final SampleStream roulette = new SampleStream();
     private final SurfacePoint at = new SurfacePoint();
     private final Rgb flux = new Rgb();
     private final Rgb part = new Rgb();
@@ -58,6 +60,11 @@ final class LightTracer extends PathTracer {
             flux.scale(primary.measure * share);
         }
         counters.primaryRays++;
+        // From the ray itself, so that it does not matter who sends it, nor at which scale.
+        roulette.start(
+                plan.seed(),
+                digits(primary.directionX) ^ digits(primary.originX) ^ Long.rotateLeft(digits(primary.directionY), 24),
+                digits(primary.directionZ) ^ digits(primary.originZ) ^ Long.rotateLeft(digits(primary.originY), 24));
         ray.set(
                 primary.originX,
                 primary.originY,
@@ -69,6 +76,11 @@ final class LightTracer extends PathTracer {
         followAll(beam.mediaAtLight(), stop);
         counters.intersectionTests += tests() - testsBefore;
         return stored;
+    }
+
+    /** The bits of a number that scaling by a power of two does not change. */
+    private static long digits(double value) {
+        return Double.doubleToLongBits(value) & 0x800FFFFFFFFFFFFFL;
     }
 
     @Override
@@ -178,6 +190,28 @@ final class LightTracer extends PathTracer {
             bookStart();
         }
         book(EnergyLedger::escape, throughput.red, throughput.green, throughput.blue);
+    }
+
+    /**
+     * Follows weak light only now and then, but then as much of it as was left out meanwhile [Arvo and Kirk 1990]. So
+     * photons are about equal, none is followed in vain, and nothing is lost on average; the ledger's cut has the
+     * difference.
+     */
+    @Override
+    protected boolean survives(Rgb fraction, double largest) {
+        double weak = plan.rouletteThroughput();
+        if (largest >= weak) {
+            return true;
+        }
+        boolean survives = roulette.nextDouble() * weak < largest;
+        double factor = survives ? weak / largest : 0;
+        book(
+                EnergyLedger::cut,
+                fraction.red * (1 - factor),
+                fraction.green * (1 - factor),
+                fraction.blue * (1 - factor));
+        fraction.scale(factor);
+        return survives;
     }
 
     @Override

@@ -27,7 +27,7 @@ record SurfaceChart(Chart chart, Vector3[] polygon) {
     /**
      * Chooses the chart of an object; empty if it has no surface.
      *
-     * @throws UnmappableObjectException if it has no end
+     * @throws ForwardPlanException if it has no end
      */
     static Optional<SurfaceChart> of(SceneObject object) {
         Bounds bounds = object.shape().bounds();
@@ -35,7 +35,7 @@ record SurfaceChart(Chart chart, Vector3[] polygon) {
             return Optional.empty();
         }
         if (!bounds.isFinite()) {
-            throw new UnmappableObjectException("'" + object.name()
+            throw new ForwardPlanException("'" + object.name()
                     + "' has no end and cannot have an ambient map of its own; use 'map: photon-map' instead");
         }
         return Optional.of(of(object.shape(), object.shape(), Transform.identity()));

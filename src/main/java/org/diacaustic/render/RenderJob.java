@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.diacaustic.map.IlluminationMap;
+import org.diacaustic.map.PhotonCapacityException;
 import org.diacaustic.parallel.StopSignal;
 import org.diacaustic.parallel.Workers;
 import org.diacaustic.preprocess.ForwardPass;
@@ -66,9 +67,13 @@ public final class RenderJob {
                 plan.scene().camera().width(), plan.scene().camera().height(), plan.passes());
         Counters counters = new Counters();
         ForwardTotals forward = new ForwardTotals();
+        MapBuilder builder = plan.forward()
+                .map(forwardPlan -> new MapBuilder(forwardPlan, workers))
+                .orElse(null);
         double seconds = 0;
         for (int pass = 0; pass < plan.passes() && !stop.isSet(); pass++) {
-            IlluminationMap map = illuminate(pass, workers, forward);
+            IlluminationMap map =
+                    builder == null ? null : illuminate(plan.forward().get(), builder, pass, workers, forward);
             if (!stop.isSet()) {
                 long start = System.nanoTime();
                 renderPass(pass, map, picture, workers, counters);
@@ -79,17 +84,18 @@ public final class RenderJob {
                 picture.image(), counters, forward, threads, tilesDone, plan.passes() * tileCount(), seconds);
     }
 
-    /** Runs the forward pass, if there is one, and makes a map of what it brings; null if there is none. */
-    private IlluminationMap illuminate(int pass, Workers workers, ForwardTotals totals) {
-        if (plan.forward().isEmpty()) {
-            return null;
-        }
-        ForwardPlan forwardPlan = plan.forward().get();
+    /** Runs the forward pass and makes a map of what it brings; null if it was stopped. */
+    private IlluminationMap illuminate(
+            ForwardPlan forwardPlan, MapBuilder builder, int pass, Workers workers, ForwardTotals totals) {
         long start = System.nanoTime();
-        ForwardPass forward = new ForwardPass(forwardPlan, pass, workers).run();
+        ForwardPass forward = new ForwardPass(forwardPlan, pass, workers);
+        try {
+            forward.run();
+        } catch (PhotonCapacityException full) {
+            throw new ResourceLimitException(full.getMessage() + ": give fewer rays, or Java more memory (-Xmx)");
+        }
         long traced = System.nanoTime();
-        IlluminationMap map =
-                stop.isSet() ? null : MapBuilder.build(plan.scene().camera(), forwardPlan, forward, pass, workers);
+        IlluminationMap map = stop.isSet() ? null : builder.build(plan.scene().camera(), forward.photons(), pass);
         double built = (System.nanoTime() - traced) * 1e-9;
         totals.add(forward, map == null ? 0 : map.bytes(), (traced - start) * 1e-9, built);
         return map;

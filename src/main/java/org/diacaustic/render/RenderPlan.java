@@ -170,7 +170,7 @@ public final class RenderPlan {
         long needed = imageBytes();
         long pixels = (long) scene.camera().width() * scene.camera().height();
         if (needed > available || pixels > (Integer.MAX_VALUE - 8) / 3) {
-            throw new ResourceLimitException(
+            throw ResourceLimitException.ofMemory(
                     "a picture of " + scene.camera().width() + " x "
                             + scene.camera().height(),
                     needed,

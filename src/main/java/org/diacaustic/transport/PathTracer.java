@@ -99,6 +99,16 @@ public abstract class PathTracer {
     /** Fractions of the throughput, per colour, that remain when a medium has absorbed the rest on the way. */
     protected void absorbed(double red, double green, double blue) {}
 
+    /**
+     * Is asked about every continuation that could be followed: whether it is. May change what it carries.
+     *
+     * @param fraction of what started that it carries
+     * @param largest of its colours
+     */
+    protected boolean survives(Rgb fraction, double largest) {
+        return true;
+    }
+
     /** A continuation that carries this fraction of what started is not followed. */
     protected abstract void cut(Rgb fraction);
 
@@ -275,10 +285,13 @@ public abstract class PathTracer {
             spoiled();
             return false;
         }
+        if (!(largest > 0)) {
+            return false;
+        }
         boolean isFollowed = isWanted && largest >= rules.minimumThroughput() && depth < rules.maxDepth();
-        if (largest > 0 && !isFollowed) {
+        if (!isFollowed) {
             cut(carried);
         }
-        return largest > 0 && isFollowed;
+        return isFollowed && survives(carried, largest);
     }
 }
