@@ -7,6 +7,7 @@ interface Laboratory {
      * Runs one experiment once.
      *
      * @param seed of everything random; the same seed gives the same counts and the same picture
+     * @param withPicture whether a picture is wanted too
      */
-    Measurement measure(Experiment experiment, long seed);
+    Measurement measure(Experiment experiment, long seed, boolean withPicture);
 }

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.diacaustic.image.LinearImage;
 
 /**
@@ -14,6 +13,7 @@ import org.diacaustic.image.LinearImage;
  */
 record Outcome(Experiment experiment, Map<Quantity, Statistic> counts, LinearImage picture) {
 
+    /** @param runs one for each seed, in order; the first has a picture */
     static Outcome of(Experiment experiment, List<Measurement> runs) {
         Map<Quantity, List<Double>> values = new EnumMap<>(Quantity.class);
         for (Measurement run : runs) {
@@ -22,18 +22,21 @@ record Outcome(Experiment experiment, Map<Quantity, Statistic> counts, LinearIma
                             .add(value));
         }
         Map<Quantity, Statistic> counts = new EnumMap<>(Quantity.class);
-        values.forEach((quantity, list) -> counts.put(quantity, Statistic.of(list)));
-        return new Outcome(experiment, counts, runs.get(0).picture());
-    }
-
-    Optional<Statistic> find(Quantity quantity) {
-        return Optional.ofNullable(counts.get(quantity));
+        values.forEach((quantity, list) -> counts.put(quantity, new Statistic(list)));
+        return new Outcome(experiment, counts, runs.get(0).picture().orElseThrow());
     }
 
     /** @throws IllegalStateException if that was not counted */
+    Statistic statistic(Quantity quantity) {
+        Statistic statistic = counts.get(quantity);
+        if (statistic == null) {
+            throw new IllegalStateException(experiment + " has not counted " + quantity);
+        }
+        return statistic;
+    }
+
+    /** The mean over the seeds. */
     double mean(Quantity quantity) {
-        return find(quantity)
-                .orElseThrow(() -> new IllegalStateException(experiment + " has not counted " + quantity))
-                .mean();
+        return statistic(quantity).mean();
     }
 }

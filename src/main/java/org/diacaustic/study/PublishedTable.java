@@ -44,6 +44,11 @@ record PublishedTable(
         return new Experiment(scene, row.method(), row.map());
     }
 
+    /** Whether it counts how maps are read, which is done in the runs of the table of pre-processing. */
+    boolean isOfRetrieval() {
+        return columns.contains(Quantity.NODES_EXAMINED);
+    }
+
     /** What the thesis prints; nothing in columns of our own. */
     Optional<Double> published(Row row, Quantity column) {
         int place = columns.indexOf(column);

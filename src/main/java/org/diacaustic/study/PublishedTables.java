@@ -31,6 +31,7 @@ import static org.diacaustic.study.ThesisScene.REFRACTION;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.diacaustic.study.PublishedTable.Remark;
 import org.diacaustic.study.PublishedTable.Row;
@@ -54,6 +55,11 @@ final class PublishedTables {
         return Stream.of(control(), refraction(), complex())
                 .flatMap(List::stream)
                 .toList();
+    }
+
+    /** Those of the given scenes. */
+    static List<PublishedTable> of(Set<ThesisScene> scenes) {
+        return all().stream().filter(table -> scenes.contains(table.scene())).toList();
     }
 
     private static List<PublishedTable> control() {

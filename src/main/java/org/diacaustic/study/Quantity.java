@@ -27,7 +27,8 @@ enum Quantity {
     LOOKUPS("lookups", "Lookups"),
     PRIMARY_RAYS("primaryRays", "Primary light rays"),
     PRIMARY_HITS("primaryHits", "Primary light rays that hit"),
-    /** Wall clock: light rays, and what keeps their light, made as in the thesis. */
+    LIGHT_HITS("lightHits", "Light rays that hit"),
+    /** Wall clock, on one thread: light rays, and the thesis' tree of the photons that they bring. */
     PREPROCESSING_SECONDS("preprocessingSeconds", "Pre-processing, s");
 
     private final String key;
