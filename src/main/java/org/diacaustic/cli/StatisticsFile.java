@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import org.diacaustic.image.Exposure;
 import org.diacaustic.image.WholeFile;
+import org.diacaustic.json.JsonWriter;
 import org.diacaustic.preprocess.EnergyLedger;
 import org.diacaustic.preprocess.ForwardCounters;
 import org.diacaustic.render.Counters;

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.IntFunction;
 import org.diacaustic.map.IlluminationMap;
 import org.diacaustic.map.PhotonCapacityException;
 import org.diacaustic.parallel.StopSignal;
@@ -60,21 +61,32 @@ public final class RenderJob {
      * @throws IllegalStateException if it has run already
      */
     public Rendering run() {
-        if (started.getAndSet(true)) {
-            throw new IllegalStateException("a job runs once");
-        }
         Workers workers = new Workers(threads, stop);
-        PassMean picture = new PassMean(
-                plan.scene().camera().width(), plan.scene().camera().height(), plan.passes());
-        Counters counters = new Counters();
         ForwardTotals forward = new ForwardTotals();
         MapBuilder builder = plan.forward()
                 .map(forwardPlan -> new MapBuilder(forwardPlan, workers))
                 .orElse(null);
+        return render(
+                workers,
+                forward,
+                pass -> builder == null ? null : illuminate(plan.forward().get(), builder, pass, workers, forward));
+    }
+
+    /** As {@link #run()}, but looks at a map that is there already, in place of forward passes. */
+    public Rendering run(IlluminationMap map) {
+        return render(new Workers(threads, stop), new ForwardTotals(), pass -> map);
+    }
+
+    private Rendering render(Workers workers, ForwardTotals forward, IntFunction<IlluminationMap> maps) {
+        if (started.getAndSet(true)) {
+            throw new IllegalStateException("a job runs once");
+        }
+        PassMean picture = new PassMean(
+                plan.scene().camera().width(), plan.scene().camera().height(), plan.passes());
+        Counters counters = new Counters();
         double seconds = 0;
         for (int pass = 0; pass < plan.passes() && !stop.isSet(); pass++) {
-            IlluminationMap map =
-                    builder == null ? null : illuminate(plan.forward().get(), builder, pass, workers, forward);
+            IlluminationMap map = maps.apply(pass);
             if (!stop.isSet()) {
                 long start = System.nanoTime();
                 renderPass(pass, map, picture, workers, counters);
