@@ -62,6 +62,16 @@ final class PublishedTables {
         return all().stream().filter(table -> scenes.contains(table.scene())).toList();
     }
 
+    /** @throws java.util.NoSuchElementException if the thesis does not give it */
+    static double number(Experiment experiment, Quantity quantity) {
+        return all().stream()
+                .flatMap(table -> table.rows().stream()
+                        .filter(row -> table.experiment(row).equals(experiment))
+                        .flatMap(row -> table.published(row, quantity).stream()))
+                .findFirst()
+                .orElseThrow();
+    }
+
     private static List<PublishedTable> control() {
         return List.of(
                 shading(
