@@ -22,6 +22,7 @@ public final class PreProcessors {
                 new MonteCarloPreProcessor(),
                 new PlanarPreProcessor(),
                 new CubePreProcessor(),
+                new OwnMapPreProcessor(),
                 new AdaptivePreProcessor())) {
             all.put(builtIn.name(), builtIn);
         }
