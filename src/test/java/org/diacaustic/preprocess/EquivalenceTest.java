@@ -125,8 +125,9 @@ class EquivalenceTest {
     /** With 24 seeds a score is Student's t of 23 degrees of freedom: beyond 5 once in 20,000 times. */
     @ParameterizedTest(name = "{0}, falloff {1}")
     @CsvSource({
-        "random, none", "monte-carlo, none", "planar, none", "cube, none", "adaptive, none",
-        "random, nature", "monte-carlo, nature", "planar, nature", "cube, nature", "adaptive, nature",
+        "random, none", "monte-carlo, none", "planar, none", "cube, none", "own-map, none", "adaptive, none",
+        "random, nature", "monte-carlo, nature", "planar, nature", "cube, nature", "own-map, nature",
+                "adaptive, nature",
     })
     void gather_givenSheetThatDoesNotBend_agreesWithStraightShadowRays(String preProcessor, String law) {
         Falloff falloff = law.equals("none") ? new Falloff.None() : new Falloff.InverseSquare();
