@@ -25,7 +25,7 @@ final class SceneOptions {
     @Option(
             names = "--preprocessor",
             paramLabel = "P",
-            description = "auto, none, random, monte-carlo, planar, cube, adaptive.")
+            description = "auto, none, random, monte-carlo, planar, cube, own-map, adaptive.")
     private String preProcessor;
 
     @Option(names = "--map", paramLabel = "M", description = "auto, none, ambient-maps, photon-map.")

@@ -1,37 +1,33 @@
 package org.diacaustic.map;
 
-/** Hoare's selection of the smallest of a few numbers. */
+/** Hoare's selection of the smallest of some numbers that all differ. */
 final class LongSelection {
     private LongSelection() {}
 
-    /** Rearranges values[0, count) so that none before {@code place} is larger, and none behind it smaller, than the one there. */
+    /** Rearranges values[0, count) so that those before {@code place} are smaller, those behind it larger, than the one there. */
     static void select(long[] values, int count, int place) {
         int low = 0;
         int high = count - 1;
-        while (low < high) {
+        while (high - low > 1) {
             long pivot = median(values[low], values[low + high >>> 1], values[high]);
-            int i = low;
-            int j = high;
-            while (i <= j) {
-                while (values[i] < pivot) {
-                    i++;
-                }
-                while (values[j] > pivot) {
-                    j--;
-                }
-                if (i <= j) {
-                    long value = values[i];
-                    values[i++] = values[j];
-                    values[j--] = value;
-                }
+            // Which side a number belongs to is anyone's guess: moving all of them costs less than guessing.
+            int middle = low;
+            for (int i = low; i <= high; i++) {
+                long value = values[i];
+                values[i] = values[middle];
+                values[middle] = value;
+                middle += value < pivot ? 1 : 0;
             }
-            if (place <= j) {
-                high = j;
-            } else if (place >= i) {
-                low = i;
+            if (place < middle) {
+                high = middle - 1;
             } else {
-                return;
+                low = middle;
             }
+        }
+        if (low < high && values[high] < values[low]) {
+            long smaller = values[high];
+            values[high] = values[low];
+            values[low] = smaller;
         }
     }
 

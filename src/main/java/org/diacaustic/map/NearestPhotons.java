@@ -19,7 +19,7 @@ final class NearestPhotons {
     NearestPhotons(PhotonTree tree, PhotonFilter filter, int count) {
         this.search = new PhotonSearch(tree, filter);
         this.count = Math.min(count, tree.size() + 1);
-        this.candidates = new long[2 * this.count + 2 * PointTree.LARGEST_LEAF];
+        this.candidates = new long[this.count + this.count / 2 + PointTree.LARGEST_LEAF];
     }
 
     /**

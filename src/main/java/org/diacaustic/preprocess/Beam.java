@@ -3,12 +3,14 @@ package org.diacaustic.preprocess;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.diacaustic.light.Light;
 import org.diacaustic.light.LightPoint;
 import org.diacaustic.math.Bounds;
 import org.diacaustic.math.Vector3;
 import org.diacaustic.scene.ForwardSettings;
 import org.diacaustic.scene.MediumStack;
+import org.diacaustic.scene.SceneIndex;
 
 /**
  * What a pre-processor is given to choose rays in: one light, one window that it shines into, and a number of rays. Immutable
@@ -16,6 +18,7 @@ import org.diacaustic.scene.MediumStack;
  */
 public final class Beam {
     private final int number;
+    private final SceneIndex scene;
     private final Light light;
     private final EmissionWindow window;
     private final String aim;
@@ -33,6 +36,7 @@ public final class Beam {
      */
     Beam(
             int number,
+            SceneIndex scene,
             Light light,
             EmissionWindow window,
             String aim,
@@ -41,6 +45,7 @@ public final class Beam {
             MediumStack mediaAtLight,
             double startDistance) {
         this.number = number;
+        this.scene = scene;
         this.light = light;
         this.window = window;
         this.aim = aim;
@@ -79,6 +84,20 @@ public final class Beam {
     /** The parameters of the pre-processors. */
     public ForwardSettings settings() {
         return settings;
+    }
+
+    SceneIndex scene() {
+        return scene;
+    }
+
+    /** The numbers of the objects in the window that refract or mirror what the forward pass follows. */
+    IntStream specularObjects() {
+        return window.objects().stream().filter(i -> EmissionWindows.isSpecular(scene.object(i), settings));
+    }
+
+    /** How far before the middle of the window parallel rays start. */
+    double startDistance() {
+        return startDistance;
     }
 
     EmissionWindow window() {

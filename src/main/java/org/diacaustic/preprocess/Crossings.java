@@ -1,6 +1,7 @@
 package org.diacaustic.preprocess;
 
 import org.diacaustic.math.Arithmetic;
+import org.diacaustic.math.Bounds;
 import org.diacaustic.math.Ray;
 import org.diacaustic.shape.Hit;
 import org.diacaustic.shape.Shape;
@@ -31,6 +32,18 @@ final class Crossings {
         ray.leaving = hit.primitive;
         ray.departureError = hit.pointError + ahead;
         return true;
+    }
+
+    /** Moves the start along the line to before the box, which must hold all that is to be crossed. */
+    void startBefore(Bounds bounds) {
+        double x = bounds.minX() + (bounds.maxX() - bounds.minX()) / 2 - ray.originX;
+        double y = bounds.minY() + (bounds.maxY() - bounds.minY()) / 2 - ray.originY;
+        double z = bounds.minZ() + (bounds.maxZ() - bounds.minZ()) / 2 - ray.originZ;
+        double middle = x * ray.directionX + y * ray.directionY + z * ray.directionZ;
+        double start = middle - 2 * bounds.radius();
+        ray.originX = Math.fma(start, ray.directionX, ray.originX);
+        ray.originY = Math.fma(start, ray.directionY, ray.originY);
+        ray.originZ = Math.fma(start, ray.directionZ, ray.originZ);
     }
 
     /** Of the line to the surface's normal: positive where it leaves. */

@@ -7,6 +7,7 @@ import org.diacaustic.light.Light;
 import org.diacaustic.light.LightPoint;
 import org.diacaustic.math.Bounds;
 import org.diacaustic.math.Vector3;
+import org.diacaustic.scene.ForwardSettings;
 import org.diacaustic.scene.Scene;
 import org.diacaustic.scene.SceneObject;
 import org.diacaustic.scene.Settings;
@@ -33,7 +34,7 @@ final class EmissionWindows {
         }
         List<EmissionWindow> windows = new ArrayList<>();
         for (int i = 0; i < scene.objects().size(); i++) {
-            if (isSpecular(scene.objects().get(i))) {
+            if (isSpecular(scene.objects().get(i), settings.forward())) {
                 BitSet one = new BitSet();
                 one.set(i);
                 windows.add(
@@ -46,9 +47,9 @@ final class EmissionWindows {
         return windows;
     }
 
-    private boolean isSpecular(SceneObject object) {
-        return object.material().isTransparent()
-                || (object.material().isReflective() && settings.forward().followsReflections());
+    /** Whether light goes on from the object that the forward pass follows. */
+    static boolean isSpecular(SceneObject object, ForwardSettings settings) {
+        return object.material().isTransparent() || (object.material().isReflective() && settings.followsReflections());
     }
 
     private static boolean joinTwo(List<EmissionWindow> windows, Light light) {

@@ -38,7 +38,7 @@ public final class ForwardPass {
      */
     public ForwardPass(ForwardPlan plan, int pass, Workers workers, DoubleConsumer progress) {
         this.progress = progress;
-        this.raysPlanned = plan.beams().stream().mapToLong(Beam::rays).sum();
+        this.raysPlanned = plan.rays();
         this.plan = plan;
         this.pass = pass;
         this.workers = plan.isSequential() ? new Workers(1, workers.stop()) : workers;

@@ -44,6 +44,11 @@ public record ForwardPlan(
         int passes,
         MapSettings maps) {
 
+    /** The rays that are to be chosen in a pass. */
+    public long rays() {
+        return beams.stream().mapToLong(Beam::rays).sum();
+    }
+
     /** Whether rays depend on what others before them stored, so that they must follow one another on one thread. */
     boolean isSequential() {
         return maps.initialHits() > 0;

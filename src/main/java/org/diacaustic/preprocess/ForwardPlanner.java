@@ -135,7 +135,7 @@ public final class ForwardPlanner {
         }
         MediumStack media = MediumLocator.locate(index, start);
         Beam beam = new Beam(
-                number, target.light, target.window, names(target.window), rays, forward, media, startDistance);
+                number, index, target.light, target.window, names(target.window), rays, forward, media, startDistance);
         target.flux = flux(beam, middle);
         return beam;
     }

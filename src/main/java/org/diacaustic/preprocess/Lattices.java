@@ -23,21 +23,17 @@ final class Lattices {
      */
     static List<PointLattices> of(Beam beam, long rays, Charting charting, SampleStream random) {
         ForwardSettings settings = beam.settings();
-        int points = beam.pointCount();
-        double turn = random.nextDouble();
+        LightPoints points = new LightPoints(beam, random);
         List<PointLattices> all = new ArrayList<>();
-        for (int k = 0; k < points; k++) {
-            // Points of the light by stratified and by van der Corput numbers: evenly over its surface.
-            double s = points == 1 ? 0.5 : (k + random.nextDouble()) / points;
-            double t = points == 1 ? 0.5 : (reversed(k) + turn) % 1;
+        while (points.next()) {
             LightPoint from = new LightPoint();
-            beam.light().emitFrom(s, t, from);
+            beam.light().emitFrom(points.s(), points.t(), from);
             List<EmissionChart> charts = charting.of(from);
             double area = 0;
             for (EmissionChart chart : charts) {
                 area += chart.width() * chart.height();
             }
-            double step = Math.sqrt(area * points / rays);
+            double step = Math.sqrt(area * points.count() / rays);
             List<Lattice> lattices = new ArrayList<>();
             for (EmissionChart chart : charts) {
                 int size = settings.latticeSize();
@@ -47,18 +43,13 @@ final class Lattices {
                 double shiftQ = settings.shiftsLattice() ? random.nextDouble() : 0;
                 lattices.add(new Lattice(chart, columns, rows, shiftP, shiftQ));
             }
-            all.add(new PointLattices(s, t, lattices));
+            all.add(new PointLattices(points.s(), points.t(), lattices));
         }
         return all;
     }
 
-    private static int steps(double length, double step) {
+    static int steps(double length, double step) {
         return (int) Math.max(1, Math.min(1 << 20, Math.rint(length / step)));
-    }
-
-    /** The bits of k behind the binary point, in reverse order. */
-    private static double reversed(int k) {
-        return (Integer.reverse(k) >>> 1) * 0x1p-31;
     }
 
     /**

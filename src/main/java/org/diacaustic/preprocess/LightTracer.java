@@ -8,6 +8,7 @@ import org.diacaustic.map.SurfacePoint;
 import org.diacaustic.math.Rgb;
 import org.diacaustic.math.SampleStream;
 import org.diacaustic.parallel.StopSignal;
+import org.diacaustic.scene.SceneIndex;
 import org.diacaustic.transport.PathTracer;
 
 /**
@@ -28,6 +29,7 @@ final class LightTracer extends PathTracer {
     private EnergyLedger ledger;
     private ForwardCounters counters;
     private Beam beam;
+    private LightRay primary;
     private boolean isStoring;
     private int stored;
 
@@ -51,8 +53,9 @@ final class LightTracer extends PathTracer {
     }
 
     /** @return the number of photons that came of the ray */
-    int shoot(Beam from, LightPoint point, LightRay primary, double share, boolean store) {
+    int shoot(Beam from, LightPoint point, LightRay aimed, double share, boolean store) {
         beam = from;
+        primary = aimed;
         isStoring = store;
         stored = 0;
         beam.light().emit(point, primary.directionX, primary.directionY, primary.directionZ, flux);
@@ -91,6 +94,10 @@ final class LightTracer extends PathTracer {
             return true;
         }
         counters.primaryHits++;
+        if (!isOnTarget(object)) {
+            // Another ray sends this light: the one at what is met first.
+            return false;
+        }
         if (!isSpecular()) {
             bookStart();
             book(EnergyLedger::absorb, throughput.red, throughput.green, throughput.blue);
@@ -107,6 +114,12 @@ final class LightTracer extends PathTracer {
         }
         keepRest(false);
         return true;
+    }
+
+    private boolean isOnTarget(int object) {
+        return primary.targetObject == SceneIndex.NONE
+                || (primary.targetObject == object
+                        && Math.abs(pathLength - primary.targetDistance) <= primary.targetError);
     }
 
     private boolean isSpecular() {
@@ -187,6 +200,9 @@ final class LightTracer extends PathTracer {
     @Override
     protected void end() {
         if (depth == 0) {
+            if (primary.targetObject != SceneIndex.NONE) {
+                return;
+            }
             bookStart();
         }
         book(EnergyLedger::escape, throughput.red, throughput.green, throughput.blue);

@@ -51,6 +51,7 @@ public final class MapBuilder {
      *
      * @param camera that will look at the map
      * @param pass its number, from 0; the passes of a render are built by one builder, in order
+     * @return null if the workers were stopped
      */
     public IlluminationMap build(Camera camera, PhotonStore photons, int pass) {
         return plan.map() == MapName.AMBIENT_MAPS ? ambientMaps(camera, photons) : photonMap(photons, pass);
@@ -61,6 +62,9 @@ public final class MapBuilder {
                 ? ChartSizing.equal(settings.mapColumns(), settings.mapRows())
                 : CameraSizing.of(plan.index(), camera, photons.size(), AMBIENT_MAP_BYTES);
         List<AmbientChart> charts = AmbientCharts.of(plan.index(), sizing, workers);
+        if (workers.stop().isSet()) {
+            return null;
+        }
         boolean counts = plan.estimator() == EstimatorName.EXPECTED_COUNT;
         AmbientOptions options = new AmbientOptions(
                 counts ? AmbientCalibration.EXPECTED_COUNT : AmbientCalibration.DENSITY,
@@ -74,6 +78,9 @@ public final class MapBuilder {
     private IlluminationMap photonMap(PhotonStore photons, int pass) {
         PhotonFilter filter = settings.filtersSides() ? PhotonFilter.TWO_SIDED_NORMAL : PhotonFilter.NONE;
         PhotonTree tree = PhotonTree.movedFrom(photons, workers);
+        if (workers.stop().isSet()) {
+            return null;
+        }
         return PhotonMap.over(tree, estimator(tree, filter, pass), filter);
     }
 

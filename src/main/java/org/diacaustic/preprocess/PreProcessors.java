@@ -29,6 +29,7 @@ public final class PreProcessors {
                 new MonteCarloPreProcessor(),
                 new PlanarPreProcessor(),
                 new CubePreProcessor(),
+                new OwnMapPreProcessor(),
                 new AdaptivePreProcessor())) {
             all.put(builtIn.name(), builtIn);
         }

@@ -3,7 +3,6 @@ package org.diacaustic.preprocess;
 import java.util.Arrays;
 import org.diacaustic.map.Chart;
 import org.diacaustic.map.TexelGrid;
-import org.diacaustic.math.Bounds;
 import org.diacaustic.math.Ray;
 import org.diacaustic.parallel.Workers;
 import org.diacaustic.shape.Hit;
@@ -101,7 +100,7 @@ final class TexelAreas {
     /** The surface that a line crosses and does not graze, per spread. */
     private double sections(Crossings line) {
         if (!chart.goesAround()) {
-            startBefore(shape.bounds(), line.ray);
+            line.startBefore(shape.bounds());
         }
         double sum = 0;
         while (line.next(shape)) {
@@ -110,18 +109,6 @@ final class TexelAreas {
             sum += cosine < GRAZING ? section * cosine / (GRAZING * GRAZING) : section / cosine;
         }
         return sum;
-    }
-
-    /** Moves the start along the line to before the box. */
-    private static void startBefore(Bounds bounds, Ray ray) {
-        double x = bounds.minX() + (bounds.maxX() - bounds.minX()) / 2 - ray.originX;
-        double y = bounds.minY() + (bounds.maxY() - bounds.minY()) / 2 - ray.originY;
-        double z = bounds.minZ() + (bounds.maxZ() - bounds.minZ()) / 2 - ray.originZ;
-        double middle = x * ray.directionX + y * ray.directionY + z * ray.directionZ;
-        double start = middle - 2 * bounds.radius();
-        ray.originX = Math.fma(start, ray.directionX, ray.originX);
-        ray.originY = Math.fma(start, ray.directionY, ray.originY);
-        ray.originZ = Math.fma(start, ray.directionZ, ray.originZ);
     }
 
     private void markUneven(boolean[] close) {

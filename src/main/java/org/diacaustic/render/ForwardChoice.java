@@ -164,8 +164,7 @@ final class ForwardChoice {
                 : name.equals("planar")
                         ? "a lattice is smoother than random rays, and every light stands outside of what it is aimed at"
                         : "a lattice is smoother than random rays, and a light stands among what it is aimed at";
-        long rays = plan.beams().stream().mapToLong(Beam::rays).sum();
-        decisions.add(new Decision("preprocessor", true, name + ", " + rays + " light rays", why));
+        decisions.add(new Decision("preprocessor", true, name + ", " + plan.rays() + " light rays", why));
         decisions.add(new Decision(
                 "emission windows",
                 forward.aimsAtSpecular(),

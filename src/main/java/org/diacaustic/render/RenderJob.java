@@ -103,14 +103,14 @@ public final class RenderJob {
         long start = System.nanoTime();
         int before = partsDone;
         ForwardPass forward =
-                new ForwardPass(forwardPlan, pass, workers, part -> progress(before + (int) (part * tileCount())));
+                new ForwardPass(forwardPlan, pass, workers, part -> progress(before + (int) (part * forwardParts())));
         try {
             forward.run();
         } catch (PhotonCapacityException full) {
             throw new ResourceLimitException(full.getMessage() + ": give fewer rays, or Java more memory (-Xmx)");
         }
         if (!stop.isSet()) {
-            progress(before + tileCount());
+            progress(before + forwardParts());
         }
         long traced = System.nanoTime();
         IlluminationMap map = stop.isSet() ? null : builder.build(plan.scene().camera(), forward.photons(), pass);
@@ -138,9 +138,18 @@ public final class RenderJob {
         }
     }
 
-    /** Tells the listener of every part up to this number; a forward pass counts as much as its picture. */
+    /** How many tiles' worth of work a forward pass is, if a light ray is as much as an eye ray. */
+    private int forwardParts() {
+        long lightRays = plan.forward().map(ForwardPlan::rays).orElse(0L);
+        double eyeRays = (double) plan.scene().camera().width()
+                * plan.scene().camera().height()
+                * plan.settings().samples();
+        return (int) Math.min(1 << 20, Math.rint(tileCount() * (lightRays / eyeRays)));
+    }
+
+    /** Tells the listener of every part up to this number. */
     private void progress(int done) {
-        int total = plan.passes() * tileCount() * (plan.forward().isPresent() ? 2 : 1);
+        int total = plan.passes() * (tileCount() + forwardParts());
         synchronized (progressLock) {
             while (partsDone < done) {
                 partsDone++;

@@ -33,6 +33,11 @@ final class TestPhotons {
         return point(x, y, 0, 0, 0, up ? 1 : -1);
     }
 
+    /** A point that faces up, anywhere. */
+    static SurfacePoint above(double x, double y, double z) {
+        return point(x, y, z, 0, 0, 1);
+    }
+
     static SurfacePoint point(double x, double y, double z, double normalX, double normalY, double normalZ) {
         SurfacePoint point = new SurfacePoint();
         point.x = x;

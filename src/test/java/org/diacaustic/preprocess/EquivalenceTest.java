@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 import org.diacaustic.light.Falloff;
 import org.diacaustic.map.IlluminationMap;
 import org.diacaustic.map.SurfacePoint;
@@ -15,6 +16,7 @@ import org.diacaustic.parallel.Workers;
 import org.diacaustic.scene.EstimatorName;
 import org.diacaustic.scene.ForwardSettings;
 import org.diacaustic.scene.KernelName;
+import org.diacaustic.scene.MapName;
 import org.diacaustic.scene.MapSettings;
 import org.diacaustic.scene.Scene;
 import org.diacaustic.scene.Settings;
@@ -35,6 +37,11 @@ class EquivalenceTest {
     private static final double[][] PLACES = {
         {0.1, 0.2}, {2.5, 0.3}, {-1.7, -2.2}, {2.85, 0.1}, {2.8, 2.95}, {-2.9, 1.2}
     };
+
+    /** Half the side of a floor that has one, and the texels along it. */
+    private static final double FLOOR_HALF = 6;
+
+    private static final int FLOOR_TEXELS = 36;
 
     private static final Vector3 LAMP = new Vector3(0.3, 12, -0.2);
 
@@ -92,7 +99,7 @@ class EquivalenceTest {
     }
 
     /** (mean − expected) in standard errors of the mean, at each place. */
-    private static List<Double> scores(double[][] found, Falloff falloff) {
+    private static List<Double> scores(double[][] found, ToDoubleFunction<double[]> expected) {
         List<Double> scores = new ArrayList<>();
         for (int i = 0; i < PLACES.length; i++) {
             double mean = 0;
@@ -103,7 +110,7 @@ class EquivalenceTest {
             for (double[] seed : found) {
                 variance += (seed[i] - mean) * (seed[i] - mean) / (SEEDS - 1);
             }
-            scores.add((mean - straightOverDisc(PLACES[i], LAMP, falloff)) / Math.sqrt(variance / SEEDS));
+            scores.add((mean - expected.applyAsDouble(PLACES[i])) / Math.sqrt(variance / SEEDS));
         }
         return scores;
     }
@@ -118,15 +125,55 @@ class EquivalenceTest {
     /** With 24 seeds a score is Student's t of 23 degrees of freedom: beyond 5 once in 20,000 times. */
     @ParameterizedTest(name = "{0}, falloff {1}")
     @CsvSource({
-        "random, none", "monte-carlo, none", "planar, none", "cube, none", "adaptive, none",
-        "random, nature", "monte-carlo, nature", "planar, nature", "cube, nature", "adaptive, nature",
+        "random, none", "monte-carlo, none", "planar, none", "cube, none", "own-map, none", "adaptive, none",
+        "random, nature", "monte-carlo, nature", "planar, nature", "cube, nature", "own-map, nature",
+                "adaptive, nature",
     })
     void gather_givenSheetThatDoesNotBend_agreesWithStraightShadowRays(String preProcessor, String law) {
         Falloff falloff = law.equals("none") ? new Falloff.None() : new Falloff.InverseSquare();
         Settings settings =
                 Settings.physical().toBuilder().maps(constantKernel().build()).build();
         double[][] found = gathered(Forward.sheetOverFloor(LAMP, falloff), settings, preProcessor, PLACES);
-        assertThat(scores(found, falloff)).allSatisfy(score -> assertThat(score).isBetween(-5.0, 5.0));
+        assertThat(scores(found, at -> straightOverDisc(at, LAMP, falloff)))
+                .allSatisfy(score -> assertThat(score).isBetween(-5.0, 5.0));
+    }
+
+    /** Maps of the floor's own, unblurred, against the mean of straight light over the texel. */
+    @ParameterizedTest(name = "{0}, falloff {1}")
+    @CsvSource({
+        "random, none", "monte-carlo, none", "planar, none", "cube, none", "adaptive, none",
+        "random, nature", "monte-carlo, nature", "planar, nature", "cube, nature", "adaptive, nature",
+    })
+    void ambientMap_givenSheetThatDoesNotBend_agreesWithStraightShadowRays(String preProcessor, String law) {
+        Falloff falloff = law.equals("none") ? new Falloff.None() : new Falloff.InverseSquare();
+        Settings settings = Settings.physical().toBuilder()
+                .maps(MapSettings.builder()
+                        .map(MapName.AMBIENT_MAPS)
+                        .mapColumns(FLOOR_TEXELS)
+                        .mapRows(FLOOR_TEXELS)
+                        .mapBlur(1)
+                        .interpolateTexels(false)
+                        .build())
+                .build();
+        Scene scene = Forward.sheetOver(Forward.square(0, FLOOR_HALF), LAMP, falloff);
+        double[][] found = gathered(scene, settings, preProcessor, PLACES);
+        List<Double> scores = scores(found, at -> straightOverTexel(at, falloff));
+        assertThat(scores).allSatisfy(score -> assertThat(score).isBetween(-5.0, 5.0));
+    }
+
+    /** The texels of the floor's map are squares along its edges. */
+    private static double straightOverTexel(double[] at, Falloff falloff) {
+        double side = 2 * FLOOR_HALF / FLOOR_TEXELS;
+        double left = Math.floor((at[0] + FLOOR_HALF) / side) * side - FLOOR_HALF;
+        double near = Math.floor((at[1] + FLOOR_HALF) / side) * side - FLOOR_HALF;
+        int steps = 400;
+        double sum = 0;
+        for (int i = 0; i < steps * steps; i++) {
+            double x = left + side * (i % steps + 0.5) / steps;
+            double z = near + side * (i / steps + 0.5) / steps;
+            sum += straight(x, z, LAMP, falloff);
+        }
+        return sum / steps / steps;
     }
 
     /** Random directions of the thesis, crowded to the corners of a cube, are right with their true density. */
@@ -138,7 +185,8 @@ class EquivalenceTest {
                 .maps(constantKernel().build())
                 .build();
         double[][] found = gathered(Forward.sheetOverFloor(LAMP, falloff), settings, "random", PLACES);
-        assertThat(scores(found, falloff)).allSatisfy(score -> assertThat(score).isBetween(-5.0, 5.0));
+        assertThat(scores(found, at -> straightOverDisc(at, LAMP, falloff)))
+                .allSatisfy(score -> assertThat(score).isBetween(-5.0, 5.0));
     }
 
     /**

@@ -20,6 +20,7 @@ import org.diacaustic.scene.SceneIndex;
 import org.diacaustic.scene.Settings;
 import org.diacaustic.shape.ConvexPolygon;
 import org.diacaustic.shape.Plane;
+import org.diacaustic.shape.Shape;
 import org.diacaustic.shape.Sphere;
 
 /** Builds small scenes and runs forward passes over them. */
@@ -49,6 +50,11 @@ final class Forward {
 
     /** A waved sheet of transparency 0.9 and index 1 at height 4 over an endless floor, under a lamp. */
     static Scene sheetOverFloor(Vector3 lamp, Falloff falloff) {
+        return sheetOver(new Plane(Vector3.ZERO, Vector3.UNIT_Y), lamp, falloff);
+    }
+
+    /** The same over a floor of its own. */
+    static Scene sheetOver(Shape floor, Vector3 lamp, Falloff falloff) {
         Material sheet = Material.builder()
                 .transparency(Color.grey(0.9))
                 .bump(new Wave(Vector3.UNIT_X, 0.8, 0.03, 0))
@@ -56,7 +62,7 @@ final class Forward {
         return Scene.builder()
                 .camera(camera())
                 .light(lamp(lamp, falloff))
-                .object("floor", new Plane(Vector3.ZERO, Vector3.UNIT_Y), MATT)
+                .object("floor", floor, MATT)
                 .object("sheet", square(4, 2), sheet)
                 .build();
     }
@@ -89,11 +95,14 @@ final class Forward {
 
     static ForwardPlan plan(Scene scene, Settings settings, String preProcessor, long rays) {
         SceneIndex index = SceneIndex.of(scene.objects(), settings.usesListOrder());
+        MapName map = settings.maps().map() == MapName.AUTO
+                ? MapName.PHOTON_MAP
+                : settings.maps().map();
         EstimatorName estimator = settings.maps().estimator() == EstimatorName.AUTO
                 ? EstimatorName.DENSITY
                 : settings.maps().estimator();
         return new ForwardPlanner(scene, index, settings)
-                .plan(PreProcessors.byName(List.of()).get(preProcessor), rays, MapName.PHOTON_MAP, estimator);
+                .plan(PreProcessors.byName(List.of()).get(preProcessor), rays, map, estimator);
     }
 
     static ForwardPass run(Scene scene, Settings settings, String preProcessor, long rays) {

@@ -35,7 +35,7 @@ class ForwardPassTest {
     private static final Falloff NATURE = new Falloff.InverseSquare();
 
     static List<String> preProcessors() {
-        return List.of("random", "monte-carlo", "planar", "cube", "adaptive");
+        return List.of("random", "monte-carlo", "planar", "cube", "own-map", "adaptive");
     }
 
     private static double gap(EnergyLedger ledger) {

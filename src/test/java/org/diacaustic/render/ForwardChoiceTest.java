@@ -202,8 +202,8 @@ class ForwardChoiceTest {
                     last[1] = total;
                 })
                 .run();
-        // 24 × 24 pixels are 4 tiles; two passes, each with as many parts of the forward pass.
-        assertThat(last).containsExactly(16, 16);
+        // 24 × 24 pixels are 4 tiles; 3000 light rays are as much work as 21 tiles of 144 pixels; and all of it twice.
+        assertThat(last).containsExactly(50, 50);
     }
 
     /** A light of one's own that knows only direct light. */
