@@ -1,11 +1,14 @@
 package org.diacaustic.study;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Renders for real; the numbers that lattices fix come out to the digit. */
 class RenderLaboratoryTest {
@@ -39,5 +42,25 @@ class RenderLaboratoryTest {
                         laboratory.measure(random, seed, false).counts().get(Quantity.STORED)))
                 .toList();
         assertThat(stored.get(0)).isEqualTo(stored.get(1)).isNotEqualTo(stored.get(2));
+    }
+
+    /** Techniques whose rules were fitted: the largest distances from the thesis, in percent, half as much again as measured. */
+    @ParameterizedTest
+    @CsvSource({
+        "CONTROL, ADAPTIVE, PHOTON_MAP, 6",
+        "REFRACTION, ADAPTIVE, AMBIENT_MAPS, 4.1",
+        "COMPLEX, PLANAR, PHOTON_MAP, 1.9",
+        "COMPLEX, PLANAR, AMBIENT_MAPS, 1.9",
+    })
+    void measure_givenFittedTechnique_staysNearTheThesis(
+            ThesisScene scene, Method method, MapKind map, double percent) {
+        Experiment experiment = new Experiment(scene, method, map);
+        Map<Quantity, Double> counts = laboratory.measure(experiment, 1, false).counts();
+        for (Quantity quantity :
+                List.of(Quantity.LIGHT_TESTS, Quantity.OBJECT_INTERSECTIONS, Quantity.STORED, Quantity.RAYS_TRACED)) {
+            assertThat(counts.get(quantity))
+                    .as("%s", quantity)
+                    .isCloseTo(PublishedTables.number(experiment, quantity), withinPercentage(percent));
+        }
     }
 }
