@@ -114,7 +114,7 @@ public final class MapBuilder {
         if (settings.expectedCount() > 0) {
             return settings.expectedCount();
         }
-        double mean = GatherStatistics.harmonicMeanCount(tree, radius, filter, SAMPLES);
+        double mean = GatherStatistics.expectedCount(tree, radius, filter, SAMPLES);
         return mean > 0 ? mean : 1;
     }
 }
