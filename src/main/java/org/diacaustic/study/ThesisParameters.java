@@ -35,7 +35,7 @@ record ThesisParameters(int planarSize, int hitColumns, int hitRows, double gath
 
     static ThesisParameters of(ThesisScene scene) {
         return scene == ThesisScene.COMPLEX
-                ? new ThesisParameters(461, 311, 311, 0.0776, BOX_FLOOR)
+                ? new ThesisParameters(461, 311, 311, 0.0777, BOX_FLOOR)
                 : new ThesisParameters(421, 140, 141, 0.0697, SHEET_SHADOW);
     }
 
