@@ -11,6 +11,7 @@ import org.diacaustic.image.Exposure;
 import org.diacaustic.image.ImageFiles;
 import org.diacaustic.image.ImageMetrics;
 import org.diacaustic.image.LinearImage;
+import org.diacaustic.json.JsonWriter;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;

@@ -39,6 +39,7 @@ public final class Main {
         commands.put("plan", PlanCommand::new);
         commands.put("check", CheckCommand::new);
         commands.put("compare", CompareCommand::new);
+        commands.put("reproduce", ReproduceCommand::new);
         commands.put("help", HelpCommand::new);
         return commands;
     }

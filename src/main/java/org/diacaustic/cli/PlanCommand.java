@@ -2,6 +2,7 @@ package org.diacaustic.cli;
 
 import java.io.IOException;
 import java.util.concurrent.Callable;
+import org.diacaustic.json.JsonWriter;
 import org.diacaustic.render.Decision;
 import org.diacaustic.render.RenderPlan;
 import org.diacaustic.scenefile.SceneFile;

@@ -1,6 +1,7 @@
 package org.diacaustic.cli;
 
 import java.util.List;
+import org.diacaustic.json.JsonWriter;
 import org.diacaustic.render.Decision;
 import org.diacaustic.render.RenderPlan;
 

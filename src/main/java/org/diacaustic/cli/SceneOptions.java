@@ -22,6 +22,27 @@ final class SceneOptions {
     @Option(names = "--shader", paramLabel = "S", description = "auto, non-transparent, non-refractive.")
     private String shader;
 
+    @Option(
+            names = "--preprocessor",
+            paramLabel = "P",
+            description = "auto, none, random, monte-carlo, planar, cube, own-map, adaptive.")
+    private String preProcessor;
+
+    @Option(names = "--map", paramLabel = "M", description = "auto, none, ambient-maps, photon-map.")
+    private String map;
+
+    @Option(
+            names = "--estimator",
+            paramLabel = "E",
+            description = "auto, expected-count, density, nearest, progressive.")
+    private String estimator;
+
+    @Option(names = "--rays", paramLabel = "N", description = "Light rays chosen, in a pass.")
+    private Long rays;
+
+    @Option(names = "--passes", paramLabel = "N", description = "Independent passes whose pictures are averaged.")
+    private Integer passes;
+
     @Option(names = "--size", paramLabel = "WxH", converter = PixelSize.Converter.class, description = "In pixels.")
     private PixelSize size;
 
@@ -84,6 +105,11 @@ final class SceneOptions {
     private Map<String, String> asSettings() {
         Map<String, String> settings = new LinkedHashMap<>(overrides);
         put(settings, "shader", shader);
+        put(settings, "preprocessor", preProcessor);
+        put(settings, "map", map);
+        put(settings, "estimator", estimator);
+        put(settings, "rays", rays);
+        put(settings, "passes", passes);
         put(settings, "samples", samples);
         put(settings, "max-depth", maxDepth);
         put(settings, "seed", seed);

@@ -8,6 +8,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import org.diacaustic.image.Exposure;
 import org.diacaustic.image.WholeFile;
+import org.diacaustic.json.JsonWriter;
+import org.diacaustic.preprocess.EnergyLedger;
+import org.diacaustic.preprocess.ForwardCounters;
 import org.diacaustic.render.Counters;
 import org.diacaustic.render.RenderPlan;
 import org.diacaustic.render.Rendering;
@@ -34,21 +37,22 @@ final class StatisticsFile {
         PlanJson.write(plan, json);
         json.end();
         json.name("seconds").beginObject();
-        for (String part : new String[] {"parse", "plan", "preprocess", "build", "render", "write"}) {
-            json.put(part, watch.seconds(part));
+        for (String part : new String[] {"parse", "plan", "render", "write"}) {
+            double seconds = part.equals("render") ? rendering.seconds() : watch.seconds(part);
+            json.put(part, seconds);
         }
+        json.put("preprocess", rendering.forward().traceSeconds());
+        json.put("build", rendering.forward().buildSeconds());
         json.end();
         json.name("counters").beginObject();
-        counters(rendering.counters(), json);
+        counters(rendering.counters(), rendering.forward().counters(), json);
         json.end();
         json.name("energy").beginObject();
-        for (String part : new String[] {"emitted", "stored", "absorbed", "escaped", "cut"}) {
-            json.put(part, 0.0);
-        }
+        energy(rendering.forward().ledger(), json);
         json.end();
         json.name("memory").beginObject();
         json.put("imageBytes", plan.imageBytes());
-        json.put("mapBytes", 0);
+        json.put("mapBytes", rendering.forward().mapBytes());
         json.put("peakHeapBytes", peakHeapBytes());
         json.end();
         json.put("errorEstimate", Double.NaN);
@@ -56,18 +60,31 @@ final class StatisticsFile {
         WholeFile.write(path, out -> out.write(json.toString().getBytes(StandardCharsets.UTF_8)));
     }
 
-    private static void counters(Counters counters, JsonWriter json) {
-        json.put("eyeRays", counters.eyeRays());
-        json.put("shadowRays", counters.shadowRays());
-        json.put("reflectionRays", counters.reflectionRays());
-        json.put("refractionRays", counters.refractionRays());
-        json.put("cutRays", counters.cutRays());
-        json.put("intersectionTests", counters.intersectionTests());
-        json.put("nonFiniteSamples", counters.nonFiniteSamples());
-        for (String forward :
-                new String[] {"lightRays", "objectIntersections", "stored", "nodesExamined", "photonsUsed", "cells"}) {
-            json.put(forward, 0);
-        }
+    private static void counters(Counters eye, ForwardCounters forward, JsonWriter json) {
+        json.put("eyeRays", eye.eyeRays());
+        json.put("shadowRays", eye.shadowRays());
+        json.put("reflectionRays", eye.reflectionRays());
+        json.put("refractionRays", eye.refractionRays());
+        json.put("cutRays", eye.cutRays());
+        json.put("intersectionTests", eye.intersectionTests());
+        json.put("nonFiniteSamples", eye.nonFiniteSamples());
+        json.put("primaryLightRays", forward.primaryRays());
+        json.put("lightRays", forward.lightRays());
+        json.put("lightIntersectionTests", forward.intersectionTests());
+        json.put("objectIntersections", forward.objectIntersections());
+        json.put("stored", forward.stored());
+        json.put("nonFiniteLightRays", forward.nonFinite());
+        json.put("nodesExamined", eye.nodesExamined());
+        json.put("photonsUsed", eye.photonsUsed());
+        json.put("cells", 0);
+    }
+
+    private static void energy(EnergyLedger ledger, JsonWriter json) {
+        json.put("emitted", ledger.emitted());
+        json.put("stored", ledger.stored());
+        json.put("absorbed", ledger.absorbed());
+        json.put("escaped", ledger.escaped());
+        json.put("cut", ledger.cut());
     }
 
     private static long peakHeapBytes() {

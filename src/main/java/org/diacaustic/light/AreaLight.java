@@ -59,4 +59,23 @@ abstract class AreaLight implements Light {
         seenRadiance.set(radiance);
         return true;
     }
+
+    @Override
+    public final Spread spread() {
+        return Spread.FROM_POINT;
+    }
+
+    /** The area of the bright side, in scene units squared. */
+    abstract double area();
+
+    @Override
+    public final void emit(LightPoint point, double dx, double dy, double dz, Rgb out) {
+        double cosine = dx * point.normalX + dy * point.normalY + dz * point.normalZ;
+        out.set(radiance).scale(area() * Math.max(0, cosine));
+    }
+
+    @Override
+    public final double depositFactor(double distance) {
+        return falloff.besideSpreading(distance);
+    }
 }

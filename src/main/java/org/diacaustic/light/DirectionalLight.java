@@ -1,6 +1,7 @@
 package org.diacaustic.light;
 
 import org.diacaustic.math.Color;
+import org.diacaustic.math.Rgb;
 import org.diacaustic.math.Vector3;
 
 /** A light infinitely far away, as good as the sun: parallel rays of the same irradiance everywhere. */
@@ -32,5 +33,20 @@ public final class DirectionalLight implements Light {
     @Override
     public double highlightExponent() {
         return highlightExponent;
+    }
+
+    @Override
+    public Spread spread() {
+        return Spread.PARALLEL;
+    }
+
+    @Override
+    public void emitFrom(double s, double t, LightPoint point) {
+        point.set(0, 0, 0, -towards.x(), -towards.y(), -towards.z());
+    }
+
+    @Override
+    public void emit(LightPoint point, double dx, double dy, double dz, Rgb out) {
+        out.set(irradiance);
     }
 }

@@ -6,11 +6,21 @@ public sealed interface Falloff {
     /** The factor at a positive distance in scene units. */
     double at(double distance);
 
+    /** d² · falloff(d): what remains of it beside the thinning of rays that nature knows. */
+    default double besideSpreading(double distance) {
+        return distance * distance * at(distance);
+    }
+
     /** 1 ÷ d²: light as it is. */
     record InverseSquare() implements Falloff {
         @Override
         public double at(double distance) {
             return 1 / (distance * distance);
+        }
+
+        @Override
+        public double besideSpreading(double distance) {
+            return 1;
         }
     }
 

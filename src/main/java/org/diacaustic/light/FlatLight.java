@@ -64,6 +64,19 @@ public final class FlatLight extends AreaLight {
 
     @Override
     public boolean sample(double x, double y, double z, double s, double t, LightSample sample) {
+        LightPoint from = sample.from;
+        emitFrom(s, t, from);
+        return sample.towards(from.x, from.y, from.z, x, y, z)
+                && shine(
+                        area,
+                        -(sample.directionX * normal.x()
+                                + sample.directionY * normal.y()
+                                + sample.directionZ * normal.z()),
+                        sample);
+    }
+
+    @Override
+    public void emitFrom(double s, double t, LightPoint point) {
         double a;
         double b;
         if (round) {
@@ -78,13 +91,12 @@ public final class FlatLight extends AreaLight {
         double lx = centre.x() + a * sideU.x() + b * sideV.x();
         double ly = centre.y() + a * sideU.y() + b * sideV.y();
         double lz = centre.z() + a * sideU.z() + b * sideV.z();
-        return sample.towards(lx, ly, lz, x, y, z)
-                && shine(
-                        area,
-                        -(sample.directionX * normal.x()
-                                + sample.directionY * normal.y()
-                                + sample.directionZ * normal.z()),
-                        sample);
+        point.set(lx, ly, lz, normal.x(), normal.y(), normal.z());
+    }
+
+    @Override
+    double area() {
+        return area;
     }
 
     @Override

@@ -43,4 +43,46 @@ public interface Light {
     default boolean emitsAlong(Ray ray, Rgb radiance) {
         return false;
     }
+
+    /** How this light sends out light rays; {@link Spread#NONE} if it knows only direct light. */
+    default Spread spread() {
+        return Spread.NONE;
+    }
+
+    /**
+     * Chooses a point that sends out light rays. All choices together are the light: each sends what the whole light would
+     * if it were only there.
+     *
+     * @param s first coordinate of the choice, uniform in 0..1; not used by a light that is a point
+     * @param t second coordinate
+     */
+    default void emitFrom(double s, double t, LightPoint point) {
+        throw new UnsupportedOperationException("this light sends out no light rays");
+    }
+
+    /**
+     * Sets what the point sends into a unit direction: intensity in W·sr⁻¹, or, if the rays are parallel, irradiance
+     * across them in W·m⁻².
+     */
+    default void emit(LightPoint point, double dx, double dy, double dz, Rgb intensity) {
+        throw new UnsupportedOperationException("this light sends out no light rays");
+    }
+
+    /**
+     * What a flux is multiplied by where it lands, after a path of this length: d²·f(d), so that a light whose falloff f is
+     * not that of nature lights through glass as it does directly. 1 in nature.
+     */
+    default double depositFactor(double distance) {
+        return 1;
+    }
+
+    /** How light rays leave a light. */
+    enum Spread {
+        /** Not at all: the light has no part in forward passes. */
+        NONE,
+        /** From a point, into all directions. */
+        FROM_POINT,
+        /** Side by side, in one direction, from infinitely far away. */
+        PARALLEL
+    }
 }

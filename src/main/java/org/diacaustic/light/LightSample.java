@@ -17,6 +17,9 @@ public final class LightSample {
     /** Irradiance on a surface that faces the light, with falloff, before anything in between. */
     public final Rgb irradiance = new Rgb();
 
+    /** Where lights with an extent keep the point that they chose. */
+    final LightPoint from = new LightPoint();
+
     /**
      * Points from (x, y, z) towards the light at (lx, ly, lz).
      *

@@ -1,6 +1,7 @@
 package org.diacaustic.light;
 
 import org.diacaustic.math.Color;
+import org.diacaustic.math.Rgb;
 import org.diacaustic.math.Vector3;
 
 /**
@@ -30,5 +31,25 @@ public record PointLight(Vector3 position, Color intensity, Falloff falloff, dou
         }
         sample.irradiance.set(intensity).scale(falloff.at(sample.distance));
         return true;
+    }
+
+    @Override
+    public Spread spread() {
+        return Spread.FROM_POINT;
+    }
+
+    @Override
+    public void emitFrom(double s, double t, LightPoint point) {
+        point.set(position.x(), position.y(), position.z(), 0, 0, 0);
+    }
+
+    @Override
+    public void emit(LightPoint point, double dx, double dy, double dz, Rgb out) {
+        out.set(intensity);
+    }
+
+    @Override
+    public double depositFactor(double distance) {
+        return falloff.besideSpreading(distance);
     }
 }

@@ -53,6 +53,22 @@ public final class SphereLight extends AreaLight {
         return shineFrom(solidAngle, sample);
     }
 
+    /** Uniform on the surface. */
+    @Override
+    public void emitFrom(double s, double t, LightPoint point) {
+        double height = 1 - 2 * s;
+        double fromAxis = 2 * Math.sqrt(s * (1 - s));
+        double angle = 2 * Math.PI * t;
+        double nx = fromAxis * StrictMath.cos(angle);
+        double nz = fromAxis * StrictMath.sin(angle);
+        point.set(centre.x() + radius * nx, centre.y() + radius * height, centre.z() + radius * nz, nx, height, nz);
+    }
+
+    @Override
+    double area() {
+        return 4 * Math.PI * radius * radius;
+    }
+
     @Override
     public boolean emitsAlong(Ray ray, Rgb radiance) {
         double ox = ray.originX - centre.x();

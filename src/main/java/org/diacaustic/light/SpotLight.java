@@ -2,6 +2,7 @@ package org.diacaustic.light;
 
 import org.diacaustic.math.Arithmetic;
 import org.diacaustic.math.Color;
+import org.diacaustic.math.Rgb;
 import org.diacaustic.math.Vector3;
 
 /**
@@ -69,5 +70,25 @@ public final class SpotLight implements Light {
     @Override
     public double highlightExponent() {
         return highlightExponent;
+    }
+
+    @Override
+    public Spread spread() {
+        return Spread.FROM_POINT;
+    }
+
+    @Override
+    public void emitFrom(double s, double t, LightPoint point) {
+        point.set(position.x(), position.y(), position.z(), 0, 0, 0);
+    }
+
+    @Override
+    public void emit(LightPoint point, double dx, double dy, double dz, Rgb out) {
+        out.set(intensity).scale(share(dx * axis.x() + dy * axis.y() + dz * axis.z()));
+    }
+
+    @Override
+    public double depositFactor(double distance) {
+        return falloff.besideSpreading(distance);
     }
 }

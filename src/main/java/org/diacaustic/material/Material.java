@@ -55,6 +55,11 @@ public final class Material {
         return needsMap;
     }
 
+    /** Whether any light leaves the surface in all directions. */
+    public boolean isDiffuse() {
+        return !isBlack(diffuse);
+    }
+
     /** Whether any light passes through the surface. */
     public boolean isTransparent() {
         return !isBlack(transparency);

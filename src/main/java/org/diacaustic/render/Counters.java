@@ -8,6 +8,8 @@ public final class Counters {
     long refractionRays;
     long cutRays;
     long intersectionTests;
+    long nodesExamined;
+    long photonsUsed;
     long nonFiniteSamples;
     /** The first pixel, in reading order, of a sample that was not finite; the largest long if there is none. */
     long firstNonFinitePixel = Long.MAX_VALUE;
@@ -19,6 +21,8 @@ public final class Counters {
         refractionRays += other.refractionRays;
         cutRays += other.cutRays;
         intersectionTests += other.intersectionTests;
+        nodesExamined += other.nodesExamined;
+        photonsUsed += other.photonsUsed;
         nonFiniteSamples += other.nonFiniteSamples;
         firstNonFinitePixel = Math.min(firstNonFinitePixel, other.firstNonFinitePixel);
     }
@@ -49,6 +53,16 @@ public final class Counters {
     /** Tests of a ray against a primitive or a bounding volume. */
     public long intersectionTests() {
         return intersectionTests;
+    }
+
+    /** Nodes of the illumination map looked at [Thesis 5.2]. */
+    public long nodesExamined() {
+        return nodesExamined;
+    }
+
+    /** Photons that counted in lookups of the illumination map. */
+    public long photonsUsed() {
+        return photonsUsed;
     }
 
     /** Samples that were infinite or not a number: left out of the picture, and 0 unless something is wrong. */

@@ -2,7 +2,6 @@ package org.diacaustic.render;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 import org.diacaustic.material.Medium;
 import org.diacaustic.scene.Scene;
 import org.diacaustic.scene.SceneIndex;
@@ -16,22 +15,23 @@ final class PlanReasons {
     private final Settings settings;
     private final SceneIndex index;
     private final SceneTraits traits;
+    private final boolean hasForwardPass;
 
-    PlanReasons(Scene scene, Settings settings, SceneIndex index) {
+    PlanReasons(Scene scene, Settings settings, SceneIndex index, SceneTraits traits, boolean hasForwardPass) {
         this.scene = scene;
         this.settings = settings;
         this.index = index;
-        this.traits = new SceneTraits(scene);
+        this.traits = traits;
+        this.hasForwardPass = hasForwardPass;
     }
 
     /** The shading model that is right, or least wrong, for the scene. */
     String bestShader() {
-        return traits.hasTransparency() ? NonRefractiveShader.NAME : NonTransparentShader.NAME;
+        return traits.hasTransparency() && !hasForwardPass ? NonRefractiveShader.NAME : NonTransparentShader.NAME;
     }
 
     List<Decision> decisions(String shader, Medium atEye) {
         List<Decision> list = new ArrayList<>();
-        list.add(forwardPass());
         list.add(shader(shader));
         list.add(filterWalk(shader));
         list.add(tree());
@@ -59,19 +59,6 @@ final class PlanReasons {
                 "no light has a highlight exponent, or nothing reflects"));
         list.add(supersampling());
         return List.copyOf(list);
-    }
-
-    private Decision forwardPass() {
-        List<String> specular = Stream.concat(traits.refracting().stream(), traits.mirroring().stream())
-                .distinct()
-                .toList();
-        return new Decision(
-                "forward pass",
-                false,
-                "light from lamps that is refracted or mirrored onto surfaces",
-                specular.isEmpty()
-                        ? "nothing refracts or mirrors"
-                        : "this version has none: caustics of " + String.join(", ", specular) + " are missing");
     }
 
     private Decision filterWalk(String shader) {
@@ -105,6 +92,9 @@ final class PlanReasons {
         }
         if (!traits.hasTransparency()) {
             return new Decision("shader", true, name, "nothing is transparent, so nothing passes a blocker");
+        }
+        if (hasForwardPass) {
+            return new Decision("shader", true, name, "the map brings what comes through glass");
         }
         List<String> bending = traits.refracting();
         if (bending.isEmpty()) {

@@ -4,9 +4,15 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
-import org.diacaustic.image.LinearImage;
+import java.util.function.IntFunction;
+import org.diacaustic.map.IlluminationMap;
+import org.diacaustic.map.PhotonCapacityException;
 import org.diacaustic.parallel.StopSignal;
 import org.diacaustic.parallel.Workers;
+import org.diacaustic.preprocess.ForwardPass;
+import org.diacaustic.preprocess.ForwardPlan;
+import org.diacaustic.preprocess.ForwardTotals;
+import org.diacaustic.preprocess.MapBuilder;
 
 /**
  * One render on its way: runs once, on as many threads as wanted, reports progress and can be cancelled from anywhere.
@@ -20,10 +26,11 @@ public final class RenderJob {
     private final AtomicBoolean started = new AtomicBoolean();
     private final Object progressLock = new Object();
     private int tilesDone;
+    private int partsDone;
 
     /**
      * @param threads at least 1
-     * @param listener hears of every finished tile
+     * @param listener hears of every finished part: tiles, and equal parts of forward passes
      * @throws ResourceLimitException if the picture does not fit in memory
      */
     public RenderJob(RenderPlan plan, int threads, ProgressListener listener) {
@@ -32,7 +39,7 @@ public final class RenderJob {
         }
         plan.requireMemory();
         this.plan = plan;
-        this.threads = Math.min(threads, plan.tilesAcross() * plan.tilesDown());
+        this.threads = plan.forward().isPresent() ? threads : Math.min(threads, plan.tilesAcross() * plan.tilesDown());
         this.listener = listener;
     }
 
@@ -54,29 +61,99 @@ public final class RenderJob {
      * @throws IllegalStateException if it has run already
      */
     public Rendering run() {
+        Workers workers = new Workers(threads, stop);
+        ForwardTotals forward = new ForwardTotals();
+        MapBuilder builder = plan.forward()
+                .map(forwardPlan -> new MapBuilder(forwardPlan, workers))
+                .orElse(null);
+        return render(
+                workers,
+                forward,
+                pass -> builder == null ? null : illuminate(plan.forward().get(), builder, pass, workers, forward));
+    }
+
+    /** As {@link #run()}, but looks at a map that is there already, in place of forward passes. */
+    public Rendering run(IlluminationMap map) {
+        return render(new Workers(threads, stop), new ForwardTotals(), pass -> map);
+    }
+
+    private Rendering render(Workers workers, ForwardTotals forward, IntFunction<IlluminationMap> maps) {
         if (started.getAndSet(true)) {
             throw new IllegalStateException("a job runs once");
         }
+        PassMean picture = new PassMean(
+                plan.scene().camera().width(), plan.scene().camera().height(), plan.passes());
+        Counters counters = new Counters();
+        double seconds = 0;
+        for (int pass = 0; pass < plan.passes() && !stop.isSet(); pass++) {
+            IlluminationMap map = maps.apply(pass);
+            if (!stop.isSet()) {
+                long start = System.nanoTime();
+                renderPass(pass, map, picture, workers, counters);
+                seconds += (System.nanoTime() - start) * 1e-9;
+            }
+        }
+        return new Rendering(
+                picture.image(), counters, forward, threads, tilesDone, plan.passes() * tileCount(), seconds);
+    }
+
+    /** Runs the forward pass and makes a map of what it brings; null if it was stopped. */
+    private IlluminationMap illuminate(
+            ForwardPlan forwardPlan, MapBuilder builder, int pass, Workers workers, ForwardTotals totals) {
         long start = System.nanoTime();
-        LinearImage image = new LinearImage(
-                plan.scene().camera().width(), plan.scene().camera().height());
+        int before = partsDone;
+        ForwardPass forward =
+                new ForwardPass(forwardPlan, pass, workers, part -> progress(before + (int) (part * forwardParts())));
+        try {
+            forward.run();
+        } catch (PhotonCapacityException full) {
+            throw new ResourceLimitException(full.getMessage() + ": give fewer rays, or Java more memory (-Xmx)");
+        }
+        if (!stop.isSet()) {
+            progress(before + forwardParts());
+        }
+        long traced = System.nanoTime();
+        IlluminationMap map = stop.isSet() ? null : builder.build(plan.scene().camera(), forward.photons(), pass);
+        double built = (System.nanoTime() - traced) * 1e-9;
+        totals.add(forward, map == null ? 0 : map.bytes(), (traced - start) * 1e-9, built);
+        return map;
+    }
+
+    private void renderPass(int pass, IlluminationMap map, PassMean picture, Workers workers, Counters counters) {
         List<TileRenderer> renderers = Collections.synchronizedList(new ArrayList<>());
-        new Workers(threads, stop).run(tileCount(), () -> {
-            TileRenderer renderer = new TileRenderer(plan, image);
+        workers.run(tileCount(), () -> {
+            TileRenderer renderer = new TileRenderer(plan, map, pass, picture);
             renderers.add(renderer);
             return number -> render(number, renderer);
         });
-        Counters counters = new Counters();
         renderers.forEach(renderer -> counters.add(renderer.counters()));
-        double seconds = (System.nanoTime() - start) * 1e-9;
-        return new Rendering(image, counters, threads, tilesDone, tileCount(), seconds);
     }
 
     private void render(int number, TileRenderer renderer) {
         if (renderer.render(scattered(number), stop)) {
             synchronized (progressLock) {
                 tilesDone++;
-                listener.progressed(tilesDone, tileCount());
+                progress(partsDone + 1);
+            }
+        }
+    }
+
+    /** How many tiles' worth of work a forward pass is, if a light ray is as much as an eye ray. */
+    private int forwardParts() {
+        long lightRays = plan.forward().map(ForwardPlan::rays).orElse(0L);
+        double eyeRays = (double) plan.scene().camera().width()
+                * plan.scene().camera().height()
+                * plan.settings().samples();
+        return (int) Math.min(1 << 20, Math.rint(tileCount() * (lightRays / eyeRays)));
+    }
+
+    /** Tells the listener of every part up to this number. */
+    private void progress(int done) {
+        int total = plan.passes() * (tileCount() + forwardParts());
+        synchronized (progressLock) {
+            while (partsDone < done) {
+                partsDone++;
+                listener.progressed(partsDone, total);
             }
         }
     }

@@ -4,8 +4,13 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.ServiceLoader;
 import org.diacaustic.light.Light;
+import org.diacaustic.material.TransportMode;
+import org.diacaustic.preprocess.ForwardPlan;
+import org.diacaustic.preprocess.PreProcessor;
+import org.diacaustic.preprocess.PreProcessors;
 import org.diacaustic.scene.MediumLocator;
 import org.diacaustic.scene.MediumStack;
 import org.diacaustic.scene.Scene;
@@ -14,6 +19,7 @@ import org.diacaustic.scene.Settings;
 import org.diacaustic.shader.NonRefractiveShader;
 import org.diacaustic.shader.NonTransparentShader;
 import org.diacaustic.shader.Shader;
+import org.diacaustic.transport.PathRules;
 
 /**
  * A scene and settings resolved, once, into what runs and what is left out, each with its reason. Immutable; the passes
@@ -26,16 +32,20 @@ public final class RenderPlan {
     private final Scene scene;
     private final Settings settings;
     private final SceneIndex index;
+    private final Optional<ForwardPlan> forward;
     private final Shader shader;
     private final MediumStack mediaAtEye;
     private final Light[] visibleLights;
     private final List<Decision> decisions;
 
-    private RenderPlan(Scene scene, Settings settings, Map<String, Shader> shaders) {
+    private RenderPlan(Scene scene, Settings settings, Map<String, Shader> shaders, List<PreProcessor> preProcessors) {
         this.scene = scene;
         this.settings = settings;
         this.index = SceneIndex.of(scene.objects(), settings.usesListOrder());
-        PlanReasons reasons = new PlanReasons(scene, settings, index);
+        SceneTraits traits = new SceneTraits(scene);
+        ForwardChoice forwardChoice = new ForwardChoice(scene, index, settings, traits);
+        this.forward = forwardChoice.plan(preProcessors);
+        PlanReasons reasons = new PlanReasons(scene, settings, index, traits, forward.isPresent());
         String name = settings.shader().equals(Settings.AUTO) ? reasons.bestShader() : settings.shader();
         this.shader = shaders.get(name);
         if (shader == null) {
@@ -44,22 +54,29 @@ public final class RenderPlan {
         }
         this.mediaAtEye = MediumLocator.locate(index, scene.camera().from());
         this.visibleLights = scene.lights().stream().filter(Light::isVisible).toArray(Light[]::new);
-        this.decisions = reasons.decisions(shader.name(), mediaAtEye.current());
+        List<Decision> all = new ArrayList<>(forwardChoice.decisions());
+        all.addAll(reasons.decisions(shader.name(), mediaAtEye.current()));
+        this.decisions = List.copyOf(all);
     }
 
     /**
-     * Plans a render with the built-in shading models and those that {@link ServiceLoader} finds.
+     * Plans a render with the built-in shading models and pre-processors and those that {@link ServiceLoader} finds.
      *
      * @throws PlanException if a name is unknown or choices exclude each other
      */
     public static RenderPlan of(Scene scene, Settings settings) {
         List<Shader> found = new ArrayList<>();
         ServiceLoader.load(Shader.class).forEach(found::add);
-        return of(scene, settings, found);
+        return of(scene, settings, found, PreProcessors.installed());
     }
 
-    /** Plans a render with shading models of the caller's beside the built-in ones. */
-    public static RenderPlan of(Scene scene, Settings settings, List<Shader> additional) {
+    /**
+     * Plans a render with shading models and pre-processors of the caller's beside the built-in ones.
+     *
+     * @throws PlanException as above, or if two have the same name
+     */
+    public static RenderPlan of(
+            Scene scene, Settings settings, List<Shader> additional, List<PreProcessor> preProcessors) {
         Map<String, Shader> shaders = new LinkedHashMap<>();
         shaders.put(NonTransparentShader.NAME, new NonTransparentShader());
         shaders.put(NonRefractiveShader.NAME, new NonRefractiveShader(settings.scatterRules(), settings.attenuates()));
@@ -69,7 +86,7 @@ public final class RenderPlan {
                         "a shader of one's own must not be named '" + shader.name() + "': that is the name of another");
             }
         }
-        return new RenderPlan(scene, settings, shaders);
+        return new RenderPlan(scene, settings, shaders, preProcessors);
     }
 
     public Scene scene() {
@@ -84,6 +101,16 @@ public final class RenderPlan {
         return shader;
     }
 
+    /** The forward pass; nothing if there is none. */
+    public Optional<ForwardPlan> forward() {
+        return forward;
+    }
+
+    /** How many times the picture is rendered, each with a forward pass of its own. */
+    public int passes() {
+        return forward.map(ForwardPlan::passes).orElse(1);
+    }
+
     /** What runs and what is left out, in the order in which it would run. */
     public List<Decision> decisions() {
         return decisions;
@@ -92,8 +119,19 @@ public final class RenderPlan {
     /** The bytes that the picture itself takes; the largest long if that is too small a number. */
     public long imageBytes() {
         long pixels = (long) scene.camera().width() * scene.camera().height();
-        long bytesPerPixel = 3L * Float.BYTES;
+        long bytesPerPixel = 3L * Float.BYTES + (passes() > 1 ? 3L * Double.BYTES : 0);
         return pixels > Long.MAX_VALUE / bytesPerPixel ? Long.MAX_VALUE : pixels * bytesPerPixel;
+    }
+
+    /** How eye rays are followed. */
+    PathRules eyeRules() {
+        return new PathRules(
+                settings.scatterRules(),
+                TransportMode.RADIANCE,
+                settings.maxDepth(),
+                settings.minimumThroughput(),
+                true,
+                settings.usesListOrder());
     }
 
     SceneIndex index() {
@@ -139,7 +177,7 @@ public final class RenderPlan {
         long needed = imageBytes();
         long pixels = (long) scene.camera().width() * scene.camera().height();
         if (needed > available || pixels > (Integer.MAX_VALUE - 8) / 3) {
-            throw new ResourceLimitException(
+            throw ResourceLimitException.ofMemory(
                     "a picture of " + scene.camera().width() + " x "
                             + scene.camera().height(),
                     needed,

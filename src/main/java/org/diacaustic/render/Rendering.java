@@ -2,19 +2,27 @@ package org.diacaustic.render;
 
 import java.util.Optional;
 import org.diacaustic.image.LinearImage;
+import org.diacaustic.preprocess.ForwardTotals;
 
 /**
  * What a render made.
  *
  * @param image linear radiance; black where a cancelled render did not come
  * @param counters what was done
+ * @param forward what the forward passes did; all zeros if there were none
  * @param threads how many threads did it
- * @param tilesDone finished tiles
- * @param tilesTotal tiles of the whole picture
- * @param seconds of the eye pass, wall clock
+ * @param tilesDone finished tiles, of all passes
+ * @param tilesTotal tiles of the whole picture, in all passes
+ * @param seconds of the eye passes, wall clock
  */
 public record Rendering(
-        LinearImage image, Counters counters, int threads, int tilesDone, int tilesTotal, double seconds) {
+        LinearImage image,
+        Counters counters,
+        ForwardTotals forward,
+        int threads,
+        int tilesDone,
+        int tilesTotal,
+        double seconds) {
 
     /** Whether the whole picture was rendered, and not cancelled. */
     public boolean isComplete() {

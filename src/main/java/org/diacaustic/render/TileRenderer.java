@@ -1,6 +1,6 @@
 package org.diacaustic.render;
 
-import org.diacaustic.image.LinearImage;
+import org.diacaustic.map.IlluminationMap;
 import org.diacaustic.math.Rgb;
 import org.diacaustic.math.SampleStream;
 import org.diacaustic.parallel.StopSignal;
@@ -10,14 +10,20 @@ import org.diacaustic.scene.Settings;
 /** Renders tiles of the picture, one after the other, for one thread. */
 final class TileRenderer {
     private final RenderPlan plan;
-    private final LinearImage image;
+    private final PassMean picture;
+    private final int pass;
     private final EyeTracer tracer;
     private final Rgb sum = new Rgb();
 
-    TileRenderer(RenderPlan plan, LinearImage image) {
+    /**
+     * @param map the light that comes over specular surfaces; null if there was no forward pass
+     * @param pass which of the passes that are averaged this is
+     */
+    TileRenderer(RenderPlan plan, IlluminationMap map, int pass, PassMean picture) {
         this.plan = plan;
-        this.image = image;
-        this.tracer = new EyeTracer(plan);
+        this.pass = pass;
+        this.picture = picture;
+        this.tracer = new EyeTracer(plan, map);
     }
 
     Counters counters() {
@@ -31,10 +37,11 @@ final class TileRenderer {
      */
     boolean render(int tile, StopSignal stop) {
         tracer.startTask();
+        Camera camera = plan.scene().camera();
         int left = tile % plan.tilesAcross() * RenderPlan.TILE_SIZE;
         int top = tile / plan.tilesAcross() * RenderPlan.TILE_SIZE;
-        int right = Math.min(left + RenderPlan.TILE_SIZE, image.width());
-        int bottom = Math.min(top + RenderPlan.TILE_SIZE, image.height());
+        int right = Math.min(left + RenderPlan.TILE_SIZE, camera.width());
+        int bottom = Math.min(top + RenderPlan.TILE_SIZE, camera.height());
         for (int y = top; y < bottom; y++) {
             for (int x = left; x < right; x++) {
                 if (!renderPixel(x, y, stop)) {
@@ -48,9 +55,10 @@ final class TileRenderer {
     private boolean renderPixel(int x, int y, StopSignal stop) {
         Settings settings = plan.settings();
         Camera camera = plan.scene().camera();
-        long pixel = (long) y * image.width() + x;
+        long pixel = (long) y * camera.width() + x;
         SampleStream random = tracer.random();
-        random.start(settings.seed(), 0, pixel);
+        // Forward passes have the streams above 0.
+        random.start(settings.seed(), -pass, pixel);
         int samples = settings.samples();
         boolean spread = samples > 1;
         boolean lens = camera.lensRadius() > 0;
@@ -77,7 +85,7 @@ final class TileRenderer {
         if (settings.clamps()) {
             sum.set(Math.min(1, sum.red), Math.min(1, sum.green), Math.min(1, sum.blue));
         }
-        image.set(x, y, sum);
+        picture.add(pass, x, y, sum);
         return true;
     }
 

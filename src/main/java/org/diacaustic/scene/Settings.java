@@ -10,6 +10,9 @@ public final class Settings {
     /** The name that leaves a choice to the plan. */
     public static final String AUTO = "auto";
 
+    /** The name that leaves a part out. */
+    public static final String NONE = "none";
+
     private final Builder values;
 
     private Settings(Builder values) {
@@ -90,6 +93,16 @@ public final class Settings {
         return values.clamps;
     }
 
+    /** How light is traced forward from the lights. */
+    public ForwardSettings forward() {
+        return values.forward;
+    }
+
+    /** How the light of the forward pass is kept and read. */
+    public MapSettings maps() {
+        return values.maps;
+    }
+
     /**
      * Whether every shadow ray is fired and every object asked in list order, without any shortcut, so that the counters
      * mean what the thesis' do.
@@ -115,6 +128,8 @@ public final class Settings {
         private boolean attenuates = true;
         private boolean clamps;
         private boolean usesListOrder;
+        private ForwardSettings forward = ForwardSettings.builder().build();
+        private MapSettings maps = MapSettings.builder().build();
 
         private Builder() {}
 
@@ -134,6 +149,8 @@ public final class Settings {
             attenuates = other.attenuates;
             clamps = other.clamps;
             usesListOrder = other.usesListOrder;
+            forward = other.forward;
+            maps = other.maps;
         }
 
         /** Switches everything to the thesis' ways: depth 6, exposure 1 and what each key below says of it. */
@@ -150,6 +167,8 @@ public final class Settings {
             attenuates = false;
             clamps = true;
             usesListOrder = true;
+            forward = forward.toBuilder().thesis().build();
+            maps = maps.toBuilder().thesis().build();
             return this;
         }
 
@@ -160,13 +179,13 @@ public final class Settings {
 
         /** @param raysPerPixel at least 1 */
         public Builder samples(int raysPerPixel) {
-            samples = (int) atLeast("samples", raysPerPixel, 1);
+            samples = Limits.atLeast("samples", raysPerPixel, 1);
             return this;
         }
 
         /** @param bounces at least 0 */
         public Builder maxDepth(int bounces) {
-            maxDepth = (int) atLeast("max-depth", bounces, 0);
+            maxDepth = Limits.atLeast("max-depth", bounces, 0);
             return this;
         }
 
@@ -248,15 +267,18 @@ public final class Settings {
             return this;
         }
 
-        public Settings build() {
-            return new Settings(new Builder(this));
+        public Builder forward(ForwardSettings value) {
+            forward = value;
+            return this;
         }
 
-        private static long atLeast(String what, long value, long smallest) {
-            if (value < smallest) {
-                throw new IllegalArgumentException(what + " must be at least " + smallest + ", but is " + value);
-            }
-            return value;
+        public Builder maps(MapSettings value) {
+            maps = value;
+            return this;
+        }
+
+        public Settings build() {
+            return new Settings(new Builder(this));
         }
     }
 }

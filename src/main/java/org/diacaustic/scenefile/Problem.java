@@ -9,7 +9,7 @@ package org.diacaustic.scenefile;
 public record Problem(Severity severity, Kind kind, Place place, String keyPath, String message) {
 
     private static final int LONGEST_PATH = 200;
-    private static final int LONGEST_MESSAGE = 600;
+    private static final int LONGEST_MESSAGE = 1000;
 
     /** Parts that come from a file are made fit to print: one line, no control characters, a bounded length. */
     public Problem {

@@ -35,6 +35,9 @@ final class SettingsReader {
         in.flag("attenuation").optional().ifPresent(settings::attenuate);
         in.flag("clamp").optional().ifPresent(settings::clamp);
         in.flag("list-order").optional().ifPresent(settings::listOrder);
+        Settings start = settings.build();
+        settings.forward(ForwardReader.read(in, start.forward()));
+        settings.maps(MapSettingsReader.read(in, start.maps()));
         in.finish();
         return settings.build();
     }

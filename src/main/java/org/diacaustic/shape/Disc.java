@@ -45,6 +45,19 @@ public final class Disc implements Shape {
         this.mapping = new PlanarMapping(centre.minus(u).minus(v), u.times(2), v.times(2));
     }
 
+    public Vector3 centre() {
+        return centre;
+    }
+
+    /** The outward normal, of length 1. */
+    public Vector3 normal() {
+        return normal;
+    }
+
+    public double outerRadius() {
+        return outerRadius;
+    }
+
     @Override
     public Bounds bounds() {
         return bounds;

@@ -29,6 +29,7 @@ class FloorsTest {
     static {
         NAMES.put("math", Set.of());
         NAMES.put("parallel", Set.of());
+        NAMES.put("json", Set.of());
         NAMES.put("index", Set.of("math", "parallel"));
         NAMES.put("image", Set.of("math"));
         NAMES.put("shape", Set.of("index"));
@@ -37,10 +38,12 @@ class FloorsTest {
         NAMES.put("map", Set.of("index"));
         NAMES.put("scene", Set.of("shape", "material", "light"));
         NAMES.put("shader", Set.of("scene"));
-        NAMES.put("preprocess", Set.of("map", "scene"));
-        NAMES.put("render", Set.of("preprocess", "shader", "map", "scene", "image", "parallel"));
+        NAMES.put("transport", Set.of("scene", "parallel"));
+        NAMES.put("preprocess", Set.of("transport", "map", "scene", "parallel"));
+        NAMES.put("render", Set.of("preprocess", "transport", "shader", "map", "scene", "image", "parallel"));
         NAMES.put("scenefile", Set.of("scene", "image"));
-        NAMES.put("cli", Set.of("render", "scenefile", "shader", "scene", "image"));
+        NAMES.put("study", Set.of("render", "scenefile", "preprocess", "map", "shader", "scene", "image", "json"));
+        NAMES.put("cli", Set.of("study", "render", "scenefile", "preprocess", "shader", "scene", "image", "json"));
     }
 
     private final JavaClasses classes = new ClassFileImporter()

@@ -61,6 +61,11 @@ class RenderCommandTest {
                     --size 3            | diacaustic render: Invalid value for option '--size': expected two whole numbers of at least 1, such as 640x480, found '3'; see diacaustic render --help
                     --size 0x0          | diacaustic render: Invalid value for option '--size': expected two whole numbers of at least 1, such as 640x480, found '0x0'; see diacaustic render --help
                     --shader raytrace   | diacaustic: unknown shader 'raytrace'; known are auto, non-transparent, non-refractive
+                    --map photon-map --shader non-refractive | diacaustic: shader 'non-refractive' lets light through glass straight, and map 'photon-map' brings it again: take shader 'non-transparent', or no map
+                    --map ambient-maps  | diacaustic: 'floor' has no end and cannot have an ambient map of its own; use 'map: photon-map' instead
+                    --preprocessor cubic | diacaustic: unknown preprocessor 'cubic'; known are auto, none, random, monte-carlo, planar, cube, adaptive
+                    --map caustic-map   | -D map: settings.map: expected one of auto, none, ambient-maps, photon-map, found 'caustic-map'
+                    --rays 0            | -D rays: settings.rays: expected a whole number of at least 1, found '0'
                     --sizes 3x3         | diacaustic render: Unknown options: '--sizes', '3x3'; did you mean '--size'?
                     -D fresnl=true      | -D fresnl: settings.fresnl: unknown key; did you mean 'fresnel'?
                     -D fresnel=yes      | -D fresnel: settings.fresnel: expected true or false, found 'yes', which is text in YAML 1.2
@@ -298,9 +303,37 @@ class RenderCommandTest {
                 .allMatch(line -> line.matches("(uses |omits) [a-z -]+: .+ \\(.+\\)"))
                 .contains("uses  supersampling: 4 rays a pixel (asked for)");
         JsonNode json = JSON.readTree(Cli.run("plan", scene, "--json").out());
-        assertThat(json.get("used").get(0).get("part").asText()).isEqualTo("shader");
+        assertThat(json.get("used").get(0).get("part").asText()).isEqualTo("preprocessor");
         assertThat(json.get("used").size() + json.get("leftOut").size())
                 .isEqualTo((int) text.out().lines().count());
+    }
+
+    /** What the forward pass did, or zeros if there was none. */
+    @Test
+    void render_givenStatistics_countsTheForwardPass() throws IOException {
+        Path file = folder.resolve("stats.json");
+        assertThat(render("--stats", file, "--preprocessor", "cube").code()).isZero();
+        JsonNode stats = JSON.readTree(file.toFile());
+        assertThat(stats.at("/counters/primaryLightRays").asLong()).isBetween(1800L, 2200L);
+        assertThat(stats.at("/counters/lightRays").asLong())
+                .isGreaterThan(stats.at("/counters/primaryLightRays").asLong());
+        assertThat(stats.at("/counters/stored").asLong()).isPositive();
+        assertThat(stats.at("/counters/photonsUsed").asLong()).isPositive();
+        assertThat(stats.at("/memory/mapBytes").asLong()).isPositive();
+        JsonNode energy = stats.get("energy");
+        double emitted = energy.get("emitted").asDouble();
+        double found = 0;
+        for (String part : List.of("stored", "absorbed", "escaped", "cut")) {
+            found += energy.get(part).asDouble();
+        }
+        assertThat(emitted).isPositive();
+        assertThat(Math.abs(emitted - found)).isLessThan(1e-12 * emitted);
+
+        assertThat(render("--stats", file, "--map", "none").code()).isZero();
+        JsonNode none = JSON.readTree(file.toFile());
+        for (String zero : List.of("counters/lightRays", "counters/stored", "memory/mapBytes", "energy/emitted")) {
+            assertThat(none.at("/" + zero).asDouble()).as(zero).isZero();
+        }
     }
 
     @Test

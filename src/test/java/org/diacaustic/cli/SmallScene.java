@@ -20,6 +20,7 @@ final class SmallScene {
                   radius: 1
                   material: glass
               - plane: {name: floor, at: [0, -1, 0], normal: [0, 1, 0], material: grey}
+            settings: {rays: 2000}
             """;
 
     private SmallScene() {}

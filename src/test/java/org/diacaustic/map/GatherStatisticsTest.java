@@ -21,7 +21,7 @@ class GatherStatisticsTest {
                 .isInstanceOf(IllegalArgumentException.class);
         assertThatThrownBy(() -> GatherStatistics.medianNeighbourDistance(tree, 1, NORMAL, 0))
                 .isInstanceOf(IllegalArgumentException.class);
-        assertThatThrownBy(() -> GatherStatistics.harmonicMeanCount(tree, 1, NORMAL, 0))
+        assertThatThrownBy(() -> GatherStatistics.expectedCount(tree, 1, NORMAL, 0))
                 .isInstanceOf(IllegalArgumentException.class);
     }
 
@@ -30,7 +30,7 @@ class GatherStatisticsTest {
         PhotonTree none = new TestPhotons().tree();
         assertThat(GatherStatistics.medianNeighbourDistance(none, 5, NORMAL, 10))
                 .isInfinite();
-        assertThat(GatherStatistics.harmonicMeanCount(none, 1, NORMAL, 10)).isZero();
+        assertThat(GatherStatistics.expectedCount(none, 1, NORMAL, 10)).isZero();
         PhotonTree five = new TestPhotons().floor(random, 5, 1, true).tree();
         assertThat(GatherStatistics.medianNeighbourDistance(five, 5, NORMAL, 10))
                 .isInfinite();
@@ -56,7 +56,7 @@ class GatherStatisticsTest {
     }
 
     @Test
-    void harmonicMeanCount_givenLightOnTwoAreas_isWhatTheyShare() {
+    void expectedCount_givenLightOnTwoAreas_isWhatTheyShare() {
         // 40,000 photons on 4, 40,000 on 0.04: stored × πr² ÷ area covered, edges aside. Half the photons look at
         // 10,000 π r² neighbours, half at 1,000,000 π r²; the edge of the small square is 1/10 of it wide for r = 0.01.
         PhotonTree tree = new TestPhotons()
@@ -65,7 +65,23 @@ class GatherStatisticsTest {
                 .tree();
         double radius = 0.01;
         double expected = 80_000 * Math.PI * radius * radius / 4;
-        assertThat(GatherStatistics.harmonicMeanCount(tree, radius, NORMAL, 4000))
+        assertThat(GatherStatistics.expectedCount(tree, radius, NORMAL, 4000))
                 .isCloseTo(expected, withinPercentage(10));
+    }
+
+    @Test
+    void expectedCount_givenALattice_isItsDensityTimesTheDisc() {
+        // On a lattice of step 1/64 photons themselves have 9 others within 1.957 steps, 13 with 2; on average it is π
+        // r².
+        TestPhotons photons = new TestPhotons();
+        for (int i = 0; i < 64 * 64; i++) {
+            photons.add(floorPoint(i % 64 / 64.0, i / 64 / 64.0, true), 1);
+        }
+        PhotonTree tree = photons.tree();
+        for (double steps : new double[] {1.957, 2.0, 2.3}) {
+            double edge = 1 + 2 * steps / 64;
+            assertThat(GatherStatistics.expectedCount(tree, steps / 64, NORMAL, 4000))
+                    .isCloseTo(Math.PI * steps * steps / (edge * edge), withinPercentage(3));
+        }
     }
 }

@@ -8,6 +8,8 @@ import org.diacaustic.math.Color;
 import org.diacaustic.math.Vector3;
 import org.diacaustic.parallel.StopSignal;
 import org.diacaustic.scene.Camera;
+import org.diacaustic.scene.MapName;
+import org.diacaustic.scene.MapSettings;
 import org.diacaustic.scene.Scene;
 import org.diacaustic.scene.Settings;
 import org.diacaustic.shape.Shape;
@@ -69,12 +71,18 @@ final class Eye {
                 .up(up)
                 .size(1, 1)
                 .build();
-        EyeTracer tracer = new EyeTracer(RenderPlan.of(scene.camera(camera).build(), settings.build()));
+        EyeTracer tracer = new EyeTracer(
+                RenderPlan.of(scene.camera(camera).build(), withoutMap(settings).build()), null);
         tracer.random().start(1, 0, 0);
         tracer.ray().set(from, direction.normalized());
         Color radiance = tracer.trace(new StopSignal()).toColor();
         counters = tracer.counters();
         return radiance;
+    }
+
+    /** Eye rays alone: what glass does to light from lamps is the business of other tests. */
+    static Settings.Builder withoutMap(Settings.Builder settings) {
+        return settings.maps(MapSettings.builder().map(MapName.NONE).build());
     }
 
     static Material.Builder clear(double indexOfRefraction) {

@@ -50,7 +50,8 @@ class RenderJobTest {
                 .object("floor", new Plane(new Vector3(0, -1, 0), Vector3.UNIT_Y), grey)
                 .build();
         return RenderPlan.of(
-                scene, Settings.physical().toBuilder().samples(samples).build());
+                scene,
+                Eye.withoutMap(Settings.physical().toBuilder()).samples(samples).build());
     }
 
     private static float[] alone(RenderPlan plan) {

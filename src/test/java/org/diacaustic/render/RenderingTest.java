@@ -8,13 +8,18 @@ import org.diacaustic.light.Falloff;
 import org.diacaustic.math.Color;
 import org.diacaustic.math.Vector3;
 import org.diacaustic.scene.Camera;
+import org.diacaustic.scene.ForwardSettings;
 import org.diacaustic.scene.Scene;
 import org.diacaustic.scene.Settings;
 import org.junit.jupiter.api.Test;
 
 class RenderingTest {
-    private static final Settings FOUR_SAMPLES =
-            Settings.physical().toBuilder().samples(4).build();
+    /** A forward pass of enough rays to light every shape. */
+    private static final Settings FEW_RAYS = Settings.physical().toBuilder()
+            .forward(ForwardSettings.builder().rays(20_000).build())
+            .build();
+
+    private static final Settings FOUR_SAMPLES = FEW_RAYS.toBuilder().samples(4).build();
 
     @Test
     void render_givenAnyNumberOfThreads_givesTheSameBitsAndCounts() {
@@ -75,7 +80,7 @@ class RenderingTest {
     }
 
     private static float[] picture(double scale, Falloff falloff) {
-        return Renderer.render(new Showcase(scale).scene(falloff).build(), Settings.physical())
+        return Renderer.render(new Showcase(scale).scene(falloff).build(), FEW_RAYS)
                 .image()
                 .samples();
     }
@@ -85,7 +90,7 @@ class RenderingTest {
                 .scene(new Falloff.InverseSquare())
                 .background(Color.BLACK)
                 .build();
-        return Renderer.render(scene, Settings.physical()).image().samples();
+        return Renderer.render(scene, FEW_RAYS).image().samples();
     }
 
     @Test
@@ -111,10 +116,8 @@ class RenderingTest {
         Scene scene = new Showcase(1).scene(new Falloff.None()).build();
         for (String shader : new String[] {"non-transparent", "non-refractive"}) {
             // Without a limit on what rays carry, list order differs in nothing but how objects are asked.
-            Settings.Builder settings = Settings.physical().toBuilder()
-                    .shader(shader)
-                    .minimumThroughput(0)
-                    .maxDepth(5);
+            Settings.Builder settings =
+                    FEW_RAYS.toBuilder().shader(shader).minimumThroughput(0).maxDepth(5);
             Rendering shortcut = Renderer.render(scene, settings.build());
             Rendering listed = Renderer.render(scene, settings.listOrder(true).build());
             assertThat(shortcut.image().samples()).isEqualTo(listed.image().samples());
@@ -126,7 +129,7 @@ class RenderingTest {
     @Test
     void render_givenOpaqueScene_costsTheSameWithEitherShader() {
         Scene scene = opaque();
-        for (Settings settings : new Settings[] {Settings.physical(), Settings.thesis()}) {
+        for (Settings settings : new Settings[] {FEW_RAYS, Settings.thesis()}) {
             Rendering blocking = Renderer.render(
                     scene, settings.toBuilder().shader("non-transparent").build());
             Rendering filtering = Renderer.render(

@@ -69,8 +69,9 @@ class TouchingTest {
                     List.of(new DirectionalLight(new Vector3(0, -1, 0), Color.grey(Math.PI), 0)),
                     objects,
                     Color.BLACK);
-            Settings settings =
-                    Settings.physical().toBuilder().minimumThroughput(1e-9).build();
+            Settings settings = Eye.withoutMap(Settings.physical().toBuilder())
+                    .minimumThroughput(1e-9)
+                    .build();
             double direct = 0.8 * Math.pow(0.96, 4);
             double seen = Renderer.render(scene, settings).image().get(0, 0).green();
             // Between the floor and the two faces light goes to and fro only along mirrored ways, which add 0.04²
@@ -95,7 +96,7 @@ class TouchingTest {
                             glass(new Sphere(new Vector3(-first, 0, 0), 1), 1.5)),
                     Color.WHITE);
             // What is mirrored is cut off: 0.04 is less than the least throughput, 0.96⁴ is not.
-            Settings settings = Settings.physical().toBuilder()
+            Settings settings = Eye.withoutMap(Settings.physical().toBuilder())
                     .minimumThroughput(0.05)
                     .scaleRadiance(true)
                     .build();
@@ -153,7 +154,7 @@ class TouchingTest {
                 List.of(new DirectionalLight(new Vector3(0.4, -1, -0.3), Color.grey(3), 0)),
                 objects,
                 new Color(0.6, 0.7, 0.8));
-        Settings settings = Settings.physical().toBuilder()
+        Settings settings = Eye.withoutMap(Settings.physical().toBuilder())
                 .minimumThroughput(1e-9)
                 .maxDepth(60)
                 .build();

@@ -133,12 +133,17 @@ class SphereflakeTest {
         Ray ray = new Ray();
         ray.set(5, 5, 5, 0, 1, 0);
         flake.intersect(ray);
-        assertThat(ray.tests).isEqualTo(2);
-        // Past the root's own volume but past those of its children: opened once.
+        assertThat(ray.tests).isEqualTo(8);
+        // Through the root's own volume but past those of its children: no more than from afar.
         ray.tests = 0;
         ray.set(1.1, 1.1, -5, 0, 0, 1);
         assertThat(flake.intersect(ray)).isFalse();
         assertThat(ray.tests).isEqualTo(8);
+        // Through the volume of one child, past those of its own.
+        ray.tests = 0;
+        ray.set(1.7, 0.37, -5, 0, 0, 1);
+        assertThat(flake.intersect(ray)).isFalse();
+        assertThat(ray.tests).isEqualTo(14);
         SplittableRandom random = new SplittableRandom(1);
         for (int i = 0; i < 1000; i++) {
             setRandomly(ray, random, 3);

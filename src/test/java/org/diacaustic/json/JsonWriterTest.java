@@ -1,4 +1,4 @@
-package org.diacaustic.cli;
+package org.diacaustic.json;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;

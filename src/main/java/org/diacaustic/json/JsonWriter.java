@@ -1,4 +1,4 @@
-package org.diacaustic.cli;
+package org.diacaustic.json;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -13,7 +13,7 @@ import java.util.Deque;
  *
  * Calls that would not make JSON throw {@link IllegalStateException}.
  */
-final class JsonWriter {
+public final class JsonWriter {
     private static final String HEX = "0123456789abcdef";
 
     private final StringBuilder out = new StringBuilder();
@@ -30,11 +30,11 @@ final class JsonWriter {
         }
     }
 
-    JsonWriter beginObject() {
+    public JsonWriter beginObject() {
         return begin(true);
     }
 
-    JsonWriter beginArray() {
+    public JsonWriter beginArray() {
         return begin(false);
     }
 
@@ -46,7 +46,7 @@ final class JsonWriter {
     }
 
     /** Ends the object or array begun last. */
-    JsonWriter end() {
+    public JsonWriter end() {
         require(!levels.isEmpty() && !named, "nothing to end here");
         Level level = levels.pop();
         if (!level.empty) {
@@ -57,7 +57,7 @@ final class JsonWriter {
     }
 
     /** The name of the next value of an object. */
-    JsonWriter name(String name) {
+    public JsonWriter name(String name) {
         require(!levels.isEmpty() && levels.peek().object && !named, "a name belongs before a value of an object");
         separate();
         quote(name);
@@ -67,7 +67,7 @@ final class JsonWriter {
     }
 
     /** Text, or {@code null}. */
-    JsonWriter value(String text) {
+    public JsonWriter value(String text) {
         beforeValue();
         if (text == null) {
             out.append("null");
@@ -78,37 +78,37 @@ final class JsonWriter {
     }
 
     /** The shortest decimal that reads back as the same double. */
-    JsonWriter value(double number) {
+    public JsonWriter value(double number) {
         beforeValue();
         out.append(Double.isFinite(number) ? Double.toString(number) : "null");
         return this;
     }
 
-    JsonWriter value(long number) {
+    public JsonWriter value(long number) {
         beforeValue();
         out.append(number);
         return this;
     }
 
-    JsonWriter value(boolean flag) {
+    public JsonWriter value(boolean flag) {
         beforeValue();
         out.append(flag);
         return this;
     }
 
-    JsonWriter put(String name, String text) {
+    public JsonWriter put(String name, String text) {
         return name(name).value(text);
     }
 
-    JsonWriter put(String name, double number) {
+    public JsonWriter put(String name, double number) {
         return name(name).value(number);
     }
 
-    JsonWriter put(String name, long number) {
+    public JsonWriter put(String name, long number) {
         return name(name).value(number);
     }
 
-    JsonWriter put(String name, boolean flag) {
+    public JsonWriter put(String name, boolean flag) {
         return name(name).value(flag);
     }
 

@@ -1,0 +1,155 @@
+package org.diacaustic.preprocess;
+
+import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.DoubleConsumer;
+import org.diacaustic.light.Light;
+import org.diacaustic.map.InitialHits;
+import org.diacaustic.map.PhotonSlice;
+import org.diacaustic.map.PhotonStore;
+import org.diacaustic.math.SampleStream;
+import org.diacaustic.parallel.Workers;
+
+/**
+ * One forward pass on its way: has the pre-processor choose rays beam after beam, and follows them on all cores. What it
+ * stores, and in which order, does not depend on the number of threads.
+ */
+public final class ForwardPass {
+    private static final int RAYS_A_TASK = 4096;
+    private static final int LAST_STAGE = 0xFFFFFF;
+
+    private final ForwardPlan plan;
+    private final int pass;
+    private final Workers workers;
+    private final PhotonStore store;
+    private final EnergyLedger ledger = new EnergyLedger();
+    private final ForwardCounters counters = new ForwardCounters();
+    private final DoubleConsumer progress;
+    private final long raysPlanned;
+    private final AtomicLong raysDone = new AtomicLong();
+    private InitialHits initialHits;
+    private Beam beam;
+    private int stage;
+
+    /**
+     * @param pass the number of the pass: passes are independent of each other
+     * @param workers who do the work; if they are stopped, what was done by then is there
+     * @param progress hears about which part of the pass is done, 0 to 1, from several threads
+     */
+    public ForwardPass(ForwardPlan plan, int pass, Workers workers, DoubleConsumer progress) {
+        this.progress = progress;
+        this.raysPlanned = plan.rays();
+        this.plan = plan;
+        this.pass = pass;
+        this.workers = plan.isSequential() ? new Workers(1, workers.stop()) : workers;
+        this.store = new PhotonStore(plan.origin(), plan.powerUnit(), plan.capacity());
+    }
+
+    /** A pass that reports to nobody. */
+    public ForwardPass(ForwardPlan plan, int pass, Workers workers) {
+        this(plan, pass, workers, part -> {});
+    }
+
+    /** Runs the pass, once. */
+    public ForwardPass run() {
+        Light light = null;
+        for (Beam next : plan.beams()) {
+            beam = next;
+            stage = 0;
+            if (plan.isSequential() && beam.light() != light) {
+                light = beam.light();
+                initialHits = initialHits();
+            }
+            plan.preProcessor().run(beam, this);
+        }
+        return this;
+    }
+
+    private InitialHits initialHits() {
+        ChartSizing sizing =
+                ChartSizing.equal(plan.maps().initialHitColumns(), plan.maps().initialHitRows());
+        return new InitialHits(
+                AmbientCharts.initialHits(plan.index(), sizing), plan.maps().initialHits());
+    }
+
+    /**
+     * Runs a stage of a pre-processor: rays 0 to {@code rays} − 1, in any order. The photons are stored in the order of the
+     * rays.
+     */
+    public void shootRays(long rays, RaySource source) {
+        int tasks = Math.toIntExact((rays + RAYS_A_TASK - 1) / RAYS_A_TASK);
+        shootTasks(tasks, (task, emitter) -> {
+            long end = Math.min(rays, (task + 1L) * RAYS_A_TASK);
+            for (long ray = (long) task * RAYS_A_TASK;
+                    ray < end && !workers.stop().isSet();
+                    ray++) {
+                source.shoot(ray, emitter);
+            }
+        });
+    }
+
+    /** Runs a stage of a pre-processor whose tasks are cut by the pre-processor itself. */
+    public void shootTasks(int tasks, Body body) {
+        long streams = streams(stage++);
+        PhotonSlice[] slices = new PhotonSlice[tasks];
+        EnergyLedger[] ledgers = new EnergyLedger[tasks];
+        ForwardCounters[] counts = new ForwardCounters[tasks];
+        workers.run(tasks, () -> {
+            LightTracer tracer = new LightTracer(plan, workers.stop(), initialHits);
+            LightEmitter emitter = new LightEmitter(tracer, beam, streams);
+            return task -> {
+                slices[task] = store.slice();
+                ledgers[task] = new EnergyLedger();
+                counts[task] = new ForwardCounters();
+                tracer.startTask(slices[task], ledgers[task], counts[task]);
+                body.run(task, emitter);
+                long done = raysDone.addAndGet(counts[task].primaryRays);
+                progress.accept(Math.min(1, (double) done / raysPlanned));
+            };
+        });
+        Arrays.stream(slices).filter(slice -> slice != null).forEach(store::append);
+        Arrays.stream(ledgers).filter(part -> part != null).forEach(ledger::add);
+        Arrays.stream(counts).filter(part -> part != null).forEach(counters::add);
+    }
+
+    /** Random numbers that belong to the beam as a whole. */
+    public SampleStream random() {
+        SampleStream random = new SampleStream();
+        random.start(plan.seed(), streams(LAST_STAGE), 0);
+        return random;
+    }
+
+    private long streams(int ofStage) {
+        return (pass + 1L) << 40 | (long) beam.number() << 24 | ofStage;
+    }
+
+    /** Whether rays carry flux; otherwise each carries as much as any other. */
+    public boolean isWeighted() {
+        return plan.isWeighted();
+    }
+
+    /** The photons. */
+    public PhotonStore photons() {
+        return store;
+    }
+
+    public EnergyLedger ledger() {
+        return ledger;
+    }
+
+    public ForwardCounters counters() {
+        return counters;
+    }
+
+    /** Chooses the ray of a number, and sends it. */
+    @FunctionalInterface
+    public interface RaySource {
+        void shoot(long ray, LightEmitter emitter);
+    }
+
+    /** Chooses and sends the rays of a task. */
+    @FunctionalInterface
+    public interface Body {
+        void run(int task, LightEmitter emitter);
+    }
+}

@@ -1,0 +1,219 @@
+package org.diacaustic.preprocess;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.diacaustic.light.Light;
+import org.diacaustic.light.LightPoint;
+import org.diacaustic.material.TransportMode;
+import org.diacaustic.math.Arithmetic;
+import org.diacaustic.math.Bounds;
+import org.diacaustic.math.Rgb;
+import org.diacaustic.math.Vector3;
+import org.diacaustic.scene.EstimatorName;
+import org.diacaustic.scene.ForwardSettings;
+import org.diacaustic.scene.MapName;
+import org.diacaustic.scene.MediumLocator;
+import org.diacaustic.scene.MediumStack;
+import org.diacaustic.scene.Scene;
+import org.diacaustic.scene.SceneIndex;
+import org.diacaustic.scene.Settings;
+import org.diacaustic.transport.PathRules;
+
+/** Resolves scene and settings into a {@link ForwardPlan}. */
+public final class ForwardPlanner {
+    /** Bytes of memory that a photon may take all in, with the tree over it and what building that needs meanwhile. */
+    private static final int BYTES_A_PHOTON = 48;
+
+    /** Below this fraction of its ray's flux, light is followed by chance, unless the settings follow everything. */
+    private static final double ROULETTE_THROUGHPUT = 0.25;
+
+    /** How often a window's flux is looked at along each side. */
+    private static final int FLUX_SAMPLES = 8;
+
+    private final Scene scene;
+    private final SceneIndex index;
+    private final Settings settings;
+    private final ForwardSettings forward;
+    private final Bounds bounds;
+
+    public ForwardPlanner(Scene scene, SceneIndex index, Settings settings) {
+        this.scene = scene;
+        this.index = index;
+        this.settings = settings;
+        this.forward = settings.forward();
+        this.bounds = EmissionWindows.finiteBounds(scene);
+    }
+
+    /** The lights that have a part in forward passes, in the order of the scene. */
+    public static List<Light> emitters(Scene scene) {
+        return scene.lights().stream()
+                .filter(light -> light.spread() != Light.Spread.NONE)
+                .toList();
+    }
+
+    /**
+     * Plans a pass.
+     *
+     * @param rays to choose in all
+     * @param map what keeps the light, not left to the plan
+     * @param estimator how it is read, not left to the plan
+     * @throws ForwardPlanException if the pre-processor cannot serve a light of the scene, or the map an object
+     */
+    public ForwardPlan plan(PreProcessor preProcessor, long rays, MapName map, EstimatorName estimator) {
+        boolean isWeighted = estimator != EstimatorName.EXPECTED_COUNT;
+        if (map == MapName.AMBIENT_MAPS) {
+            AmbientCharts.requireEnds(index);
+        }
+        List<Target> targets = targets();
+        List<Beam> beams = new ArrayList<>();
+        double powerUnit = 0;
+        for (int i = 0; i < targets.size(); i++) {
+            Target target = targets.get(i);
+            Beam beam = beam(i, target, Math.max(1, Math.round(rays * share(target, targets))));
+            preProcessor.refusal(beam).ifPresent(reason -> {
+                throw new ForwardPlanException("preprocessor '" + preProcessor.name() + "' cannot serve light "
+                        + (scene.lights().indexOf(target.light) + 1) + ", because " + reason
+                        + "; take cube, adaptive, random or monte-carlo");
+            });
+            beams.add(beam);
+            powerUnit = Math.max(powerUnit, typicalPower(beam, target, isWeighted));
+        }
+        PathRules rules = new PathRules(
+                settings.scatterRules(),
+                TransportMode.FLUX,
+                forward.maxDepth(),
+                0,
+                forward.followsReflections(),
+                settings.usesListOrder());
+        return new ForwardPlan(
+                index,
+                rules,
+                settings.minimumThroughput() > 0 ? ROULETTE_THROUGHPUT : 0,
+                preProcessor,
+                List.copyOf(beams),
+                isWeighted,
+                settings.seed(),
+                bounds.isEmpty() ? Vector3.ZERO : bounds.centre(),
+                !bounds.isEmpty() && bounds.radius() > 0 ? bounds.radius() : 1,
+                powerUnit > 0 ? Arithmetic.powerOfTwoNear(powerUnit) : 1,
+                capacity(),
+                map,
+                estimator,
+                forward.passes(),
+                settings.maps());
+    }
+
+    private static int capacity() {
+        return (int) Math.min(Integer.MAX_VALUE - 8, Runtime.getRuntime().maxMemory() / BYTES_A_PHOTON);
+    }
+
+    private List<Target> targets() {
+        List<Target> targets = new ArrayList<>();
+        EmissionWindows windows = new EmissionWindows(scene, settings);
+        for (Light light : emitters(scene)) {
+            for (EmissionWindow window : windows.of(light)) {
+                if (light.spread() == Light.Spread.PARALLEL && !window.bounds().isFinite()) {
+                    throw new ForwardPlanException("light " + (scene.lights().indexOf(light) + 1)
+                            + " has parallel rays and " + names(window)
+                            + " has no bounds, so there is no end to what they meet; give it bounds, as a polygon has");
+                }
+                targets.add(new Target(light, window));
+            }
+        }
+        return targets;
+    }
+
+    private Beam beam(int number, Target target, long rays) {
+        LightPoint middle = middle(target.light);
+        double startDistance = 0;
+        Vector3 start = new Vector3(middle.x, middle.y, middle.z);
+        if (target.light.spread() == Light.Spread.PARALLEL) {
+            Vector3 centre = target.window.bounds().centre();
+            startDistance = 2 * bounds.radius() + centre.minus(bounds.centre()).length();
+            start = centre.minus(new Vector3(middle.normalX, middle.normalY, middle.normalZ).times(startDistance));
+        }
+        MediumStack media = MediumLocator.locate(index, start);
+        Beam beam = new Beam(
+                number, index, target.light, target.window, names(target.window), rays, forward, media, startDistance);
+        target.flux = flux(beam, middle);
+        return beam;
+    }
+
+    private static LightPoint middle(Light light) {
+        LightPoint middle = new LightPoint();
+        light.emitFrom(0.5, 0.5, middle);
+        return middle;
+    }
+
+    private String names(EmissionWindow window) {
+        if (!forward.aimsAtSpecular()) {
+            return "the whole scene";
+        }
+        return window.objects().stream()
+                .mapToObj(i -> "'" + scene.objects().get(i).name() + "'")
+                .collect(Collectors.joining(", "));
+    }
+
+    /** Rays by flux, so that photons are about equal; but no window gets less than a quarter of an equal part. */
+    private double share(Target target, List<Target> all) {
+        double least = 0.25 / all.size();
+        double total = 0;
+        double sum = 0;
+        for (Target each : all) {
+            total += fluxOf(each);
+        }
+        for (Target each : all) {
+            sum += Math.max(least, fluxOf(each) / total);
+        }
+        return Math.max(least, fluxOf(target) / total) / sum;
+    }
+
+    private double fluxOf(Target target) {
+        if (Double.isNaN(target.flux)) {
+            beam(0, target, 1);
+        }
+        return Math.max(Double.MIN_NORMAL, target.flux);
+    }
+
+    /** About the flux, in W, that the light sends into the window. */
+    private static double flux(Beam beam, LightPoint middle) {
+        EmissionChart chart = beam.uniformChart(middle);
+        LightRay ray = new LightRay();
+        Rgb intensity = new Rgb();
+        double sum = 0;
+        for (int i = 0; i < FLUX_SAMPLES * FLUX_SAMPLES; i++) {
+            chart.aim((i % FLUX_SAMPLES + 0.5) / FLUX_SAMPLES, (i / FLUX_SAMPLES + 0.5) / FLUX_SAMPLES, ray);
+            beam.light().emit(middle, ray.directionX, ray.directionY, ray.directionZ, intensity);
+            sum += intensity.largest() * ray.measure;
+        }
+        return sum / (FLUX_SAMPLES * FLUX_SAMPLES);
+    }
+
+    private double typicalPower(Beam beam, Target target, boolean isWeighted) {
+        if (target.light.spread() == Light.Spread.PARALLEL) {
+            return isWeighted ? target.flux / beam.rays() : 1;
+        }
+        LightPoint middle = middle(target.light);
+        Vector3 towards = target.window.bounds().isFinite()
+                ? target.window.bounds().centre()
+                : bounds.isEmpty() ? Vector3.ZERO : bounds.centre();
+        double distance = Math.max(
+                towards.minus(new Vector3(middle.x, middle.y, middle.z)).length(),
+                bounds.isEmpty() ? 1 : bounds.radius());
+        double factor = target.light.depositFactor(distance);
+        return isWeighted ? target.flux / beam.rays() * factor : target.flux * factor / (distance * distance);
+    }
+
+    /** A light and a window of it. */
+    private static final class Target {
+        final Light light;
+        final EmissionWindow window;
+        double flux = Double.NaN;
+
+        Target(Light light, EmissionWindow window) {
+            this.light = light;
+            this.window = window;
+        }
+    }
+}

@@ -1,0 +1,42 @@
+package org.diacaustic.preprocess;
+
+/** What all forward passes of a render did together. */
+public final class ForwardTotals {
+    private final ForwardCounters counters = new ForwardCounters();
+    private final EnergyLedger ledger = new EnergyLedger();
+    private long mapBytes;
+    private double traceSeconds;
+    private double buildSeconds;
+
+    /** Adds a pass and the map that was built of it. */
+    public void add(ForwardPass pass, long bytes, double secondsToTrace, double secondsToBuild) {
+        counters.add(pass.counters());
+        ledger.add(pass.ledger());
+        mapBytes = Math.max(mapBytes, bytes);
+        traceSeconds += secondsToTrace;
+        buildSeconds += secondsToBuild;
+    }
+
+    public ForwardCounters counters() {
+        return counters;
+    }
+
+    public EnergyLedger ledger() {
+        return ledger;
+    }
+
+    /** The memory that the largest map took. */
+    public long mapBytes() {
+        return mapBytes;
+    }
+
+    /** Wall clock of following light rays. */
+    public double traceSeconds() {
+        return traceSeconds;
+    }
+
+    /** Wall clock of making maps of what they brought. */
+    public double buildSeconds() {
+        return buildSeconds;
+    }
+}

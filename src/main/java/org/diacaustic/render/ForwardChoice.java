@@ -1,0 +1,200 @@
+package org.diacaustic.render;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.diacaustic.light.Light;
+import org.diacaustic.preprocess.Beam;
+import org.diacaustic.preprocess.ForwardPlan;
+import org.diacaustic.preprocess.ForwardPlanException;
+import org.diacaustic.preprocess.ForwardPlanner;
+import org.diacaustic.preprocess.PreProcessor;
+import org.diacaustic.preprocess.PreProcessors;
+import org.diacaustic.scene.EstimatorName;
+import org.diacaustic.scene.ForwardSettings;
+import org.diacaustic.scene.MapName;
+import org.diacaustic.scene.MapSettings;
+import org.diacaustic.scene.Scene;
+import org.diacaustic.scene.SceneIndex;
+import org.diacaustic.scene.Settings;
+import org.diacaustic.scene.Weights;
+import org.diacaustic.shader.NonRefractiveShader;
+
+/** Decides whether there is a forward pass, and which: what was asked for, or what the scene needs. */
+final class ForwardChoice {
+    /** Rays of a pass if nothing is said: about a second on one core. */
+    private static final long RAYS = 1 << 19;
+
+    private final Scene scene;
+    private final SceneIndex index;
+    private final Settings settings;
+    private final SceneTraits traits;
+    private final ForwardSettings forward;
+    private final MapSettings maps;
+    private final boolean isAskedFor;
+    private final List<Decision> decisions = new ArrayList<>();
+
+    ForwardChoice(Scene scene, SceneIndex index, Settings settings, SceneTraits traits) {
+        this.scene = scene;
+        this.index = index;
+        this.settings = settings;
+        this.traits = traits;
+        this.forward = settings.forward();
+        this.maps = settings.maps();
+        this.isAskedFor = isNamed(forward.preProcessor()) || isNamed(maps.map());
+        refuseContradictions();
+    }
+
+    private static boolean isNamed(String preProcessor) {
+        return !preProcessor.equals(Settings.AUTO) && !preProcessor.equals(Settings.NONE);
+    }
+
+    private static boolean isNamed(MapName map) {
+        return map != MapName.AUTO && map != MapName.NONE;
+    }
+
+    /** What was decided, after {@link #plan}. */
+    List<Decision> decisions() {
+        return decisions;
+    }
+
+    private void refuseContradictions() {
+        if (isAskedFor && settings.shader().equals(NonRefractiveShader.NAME)) {
+            throw new PlanException("shader 'non-refractive' lets light through glass straight, and "
+                    + (isNamed(maps.map()) ? "map '" + maps.map().label() : "preprocessor '" + forward.preProcessor())
+                    + "' brings it again: take shader 'non-transparent', or no map");
+        }
+        if (isNamed(maps.map()) && forward.preProcessor().equals(Settings.NONE)) {
+            throw new PlanException("map '" + maps.map().label() + "' needs a preprocessor, but that is 'none'");
+        }
+        if (isNamed(forward.preProcessor()) && maps.map() == MapName.NONE) {
+            throw new PlanException("preprocessor '" + forward.preProcessor() + "' needs a map, but that is 'none'");
+        }
+        EstimatorName estimator = maps.estimator();
+        boolean needsPhotonMap = estimator == EstimatorName.NEAREST || estimator == EstimatorName.PROGRESSIVE;
+        if (maps.map() == MapName.AMBIENT_MAPS && needsPhotonMap) {
+            throw new PlanException("estimator '" + estimator.label()
+                    + "' reads photon maps; ambient-maps are read by density or expected-count");
+        }
+        Weights weights = forward.weights();
+        boolean counts = estimator == EstimatorName.EXPECTED_COUNT;
+        if (counts && weights == Weights.SOLID_ANGLE) {
+            throw new PlanException("estimator 'expected-count' needs light-weights 'none', but that is 'solid-angle'");
+        }
+        if (!counts && weights == Weights.NONE) {
+            throw new PlanException(
+                    "light-weights 'none' needs estimator 'expected-count', but that is '" + estimator.label() + "'");
+        }
+    }
+
+    /**
+     * The forward pass; nothing if none is asked for or needed.
+     *
+     * @param additional pre-processors beside the built-in ones
+     */
+    Optional<ForwardPlan> plan(List<PreProcessor> additional) {
+        String reason = reasonForNone();
+        if (reason == null) {
+            try {
+                ForwardPlan plan = choose(PreProcessors.byName(additional));
+                describe(plan);
+                return Optional.of(plan);
+            } catch (ForwardPlanException refused) {
+                if (isAskedFor) {
+                    throw new PlanException(refused.getMessage());
+                }
+                reason = refused.getMessage();
+            }
+        }
+        decisions.add(new Decision(
+                "forward pass", false, "light from lamps that is refracted or mirrored onto surfaces", reason));
+        return Optional.empty();
+    }
+
+    /** Null if there is to be a forward pass. */
+    private String reasonForNone() {
+        if (forward.preProcessor().equals(Settings.NONE) || maps.map() == MapName.NONE) {
+            return "asked for none";
+        }
+        if (!traits.hasTransparency() && (traits.mirroring().isEmpty() || !forward.followsReflections())) {
+            return "nothing refracts or mirrors";
+        }
+        if (ForwardPlanner.emitters(scene).isEmpty()) {
+            return scene.lights().isEmpty() ? "there is no light" : "no light sends out light rays";
+        }
+        if (isAskedFor) {
+            return null;
+        }
+        if (!settings.shader().equals(Settings.AUTO)) {
+            return "a shader is asked for by name, and no map";
+        }
+        boolean straight = traits.refracting().isEmpty()
+                && (!forward.followsReflections() || traits.mirroring().isEmpty());
+        return straight ? "nothing bends light or mirrors it, so straight shadow rays are exact" : null;
+    }
+
+    private ForwardPlan choose(Map<String, PreProcessor> known) {
+        MapName map = maps.map() == MapName.AUTO ? MapName.PHOTON_MAP : maps.map();
+        EstimatorName best = map == MapName.PHOTON_MAP ? EstimatorName.NEAREST : EstimatorName.DENSITY;
+        EstimatorName estimator = maps.estimator() == EstimatorName.AUTO ? best : maps.estimator();
+        long rays = forward.rays() > 0 ? forward.rays() : RAYS;
+        ForwardPlanner planner = new ForwardPlanner(scene, index, settings);
+        if (forward.preProcessor().equals(Settings.AUTO)) {
+            try {
+                return planner.plan(known.get("planar"), rays, map, estimator);
+            } catch (ForwardPlanException lightAmongObjects) {
+                return planner.plan(known.get("cube"), rays, map, estimator);
+            }
+        }
+        PreProcessor asked = known.get(forward.preProcessor());
+        if (asked == null) {
+            throw new PlanException("unknown preprocessor '" + forward.preProcessor() + "'; known are auto, none, "
+                    + String.join(", ", known.keySet()));
+        }
+        return planner.plan(asked, rays, map, estimator);
+    }
+
+    private void describe(ForwardPlan plan) {
+        boolean isChosen = forward.preProcessor().equals(Settings.AUTO);
+        String name = plan.preProcessor().name();
+        String why = !isChosen
+                ? "asked for"
+                : name.equals("planar")
+                        ? "a lattice is smoother than random rays, and every light stands outside of what it is aimed at"
+                        : "a lattice is smoother than random rays, and a light stands among what it is aimed at";
+        decisions.add(new Decision("preprocessor", true, name + ", " + plan.rays() + " light rays", why));
+        decisions.add(new Decision(
+                "emission windows",
+                forward.aimsAtSpecular(),
+                forward.aimsAtSpecular() ? aims(plan) : "windows around what refracts or mirrors",
+                forward.aimsAtSpecular()
+                        ? "only what refracts or mirrors needs light rays"
+                        : "asked for the whole scene"));
+        boolean mapChosen = maps.map() == MapName.AUTO;
+        decisions.add(new Decision(
+                "map",
+                true,
+                plan.map().label() + ", " + plan.estimator().label(),
+                mapChosen ? "photons need no map on their objects" : "asked for"));
+        List<String> dark = scene.lights().stream()
+                .filter(light -> light.spread() == Light.Spread.NONE)
+                .map(light -> "light " + (scene.lights().indexOf(light) + 1))
+                .toList();
+        if (!dark.isEmpty()) {
+            decisions.add(new Decision(
+                    "light rays", false, "rays of " + String.join(", ", dark), "it sends out no light rays"));
+        }
+    }
+
+    private static String aims(ForwardPlan plan) {
+        return plan.beams().stream()
+                .collect(Collectors.groupingBy(
+                        Beam::aim, java.util.LinkedHashMap::new, Collectors.summingLong(Beam::rays)))
+                .entrySet()
+                .stream()
+                .map(entry -> entry.getKey() + ": " + entry.getValue() + " rays")
+                .collect(Collectors.joining("; "));
+    }
+}

@@ -1,0 +1,46 @@
+package org.diacaustic.study;
+
+import java.util.Locale;
+
+/** Draws as SVG, whose colours the page gives by the classes {@code fill-INK} and {@code line-INK}. */
+final class SvgCanvas implements Canvas {
+    private final StringBuilder out = new StringBuilder();
+
+    /** @param title what the chart shows, for those who do not see it */
+    SvgCanvas(int width, int height, String title) {
+        append("<svg viewBox=\"0 0 %d %d\" role=\"img\" aria-label=\"%s\">", width, height, Html.escape(title));
+    }
+
+    @Override
+    public void fill(double x, double y, double width, double height, Ink ink) {
+        rectangle(x, y, width, height, "fill-" + ink.key());
+    }
+
+    @Override
+    public void outline(double x, double y, double width, double height, Ink ink) {
+        rectangle(x + 0.5, y + 0.5, width - 1, height - 1, "line-" + ink.key());
+    }
+
+    private void rectangle(double x, double y, double width, double height, String style) {
+        append("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" class=\"%s\"/>", x, y, width, height, style);
+    }
+
+    @Override
+    public void text(double x, double y, String text) {
+        append("<text x=\"%.1f\" y=\"%.1f\">%s</text>", x, y, Html.escape(text));
+    }
+
+    @Override
+    public void textAround(double x, double y, String text) {
+        append("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">%s</text>", x, y, Html.escape(text));
+    }
+
+    private void append(String format, Object... values) {
+        out.append(String.format(Locale.ROOT, format, values)).append('\n');
+    }
+
+    @Override
+    public String toString() {
+        return out + "</svg>\n";
+    }
+}

@@ -1,0 +1,69 @@
+package org.diacaustic.study;
+
+import org.diacaustic.scene.ForwardSettings;
+import org.diacaustic.scene.MapName;
+import org.diacaustic.scene.MapSettings;
+import org.diacaustic.scene.Settings;
+import org.diacaustic.shader.NonTransparentShader;
+
+/**
+ * The numbers behind the thesis' techniques. It gives but few of them; its counts give most: lattices are squares that fit
+ * the counts of rays and of hits exactly, and so are the areas that take a single initial hit.
+ *
+ * @param planarSize points along the side of the planar lattice
+ * @param hitColumns areas across a refracting object, each of which lets one primary ray through
+ * @param hitRows areas up such an object
+ * @param mapSize texels along the sides of every individual ambient map
+ * @param gatherRadius of the volume of interest, in scene units: so large that as many photons of the planar map are used as
+ *     the thesis says
+ */
+record ThesisParameters(int planarSize, int hitColumns, int hitRows, int mapSize, double gatherRadius) {
+    private static final int CUBE_SIZE = 447;
+    private static final int ADAPTIVE_SIZE = 283;
+    private static final long RANDOM_RAYS = 1_000_000;
+    private static final long BASE_RAYS = 200_000;
+    private static final long BATCH_RAYS = 1_000;
+
+    static ThesisParameters of(ThesisScene scene) {
+        return scene == ThesisScene.COMPLEX
+                ? new ThesisParameters(461, 311, 311, 311, 0.0697)
+                : new ThesisParameters(421, 140, 141, 140, 0.0697);
+    }
+
+    /** @param thesis the settings of the scene, in thesis mode */
+    static Settings settings(Experiment experiment, Settings thesis, long seed) {
+        Settings.Builder settings = thesis.toBuilder().seed(seed);
+        if (experiment.method().isShadingModel()) {
+            return settings.shader(experiment.method().key()).build();
+        }
+        ThesisParameters parameters = of(experiment.scene());
+        return settings.shader(NonTransparentShader.NAME)
+                .forward(parameters.forward(experiment.method(), thesis.forward()))
+                .maps(parameters.maps(experiment.map(), thesis.maps()))
+                .build();
+    }
+
+    private ForwardSettings forward(Method method, ForwardSettings thesis) {
+        ForwardSettings.Builder forward = thesis.toBuilder().preProcessor(method.key());
+        return switch (method) {
+            case RANDOM -> forward.rays(RANDOM_RAYS).build();
+            case MONTE_CARLO ->
+                forward.baseRays(BASE_RAYS).batchRays(BATCH_RAYS).build();
+            case PLANAR -> forward.latticeSize(planarSize).build();
+            case CUBE -> forward.latticeSize(CUBE_SIZE).build();
+            default -> forward.latticeSize(ADAPTIVE_SIZE).build();
+        };
+    }
+
+    private MapSettings maps(MapKind kind, MapSettings thesis) {
+        MapSettings.Builder maps = thesis.toBuilder().map(MapName.valueOf(kind.name()));
+        return kind == MapKind.PHOTON_MAP
+                ? maps.gatherRadius(gatherRadius).build()
+                : maps.mapColumns(mapSize)
+                        .mapRows(mapSize)
+                        .initialHits(1)
+                        .initialHitColumns(hitColumns)
+                        .initialHitRows(hitRows)
+                        .build();
+    }
+}
