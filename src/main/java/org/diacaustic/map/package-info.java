@@ -12,6 +12,7 @@
  *   <li>[Jensen 1996] H. W. Jensen, Global illumination using photon maps.
  *   <li>[Knaus and Zwicker 2011] C. Knaus, M. Zwicker, Progressive photon mapping: a probabilistic approach.
  *   <li>[Meyer et al. 2010] Q. Meyer, J. Süßmuth, G. Sußner, M. Stamminger, G. Greiner, On floating-point normal vectors.
+ *   <li>[Roberts 2018] M. Roberts, The unreasonable effectiveness of quasirandom sequences.
  *   <li>[Silverman 1986] B. W. Silverman, Density estimation for statistics and data analysis.
  * </ul>
  */
