@@ -75,6 +75,9 @@ final class ReproduceCommand implements Callable<Integer> {
         if (threads < 0) {
             throw new ParameterException(spec.commandLine(), "--threads must be at least 0, but is " + threads);
         }
+        if (Files.exists(output) && !Files.isDirectory(output)) {
+            throw new CommandFailure(ExitCode.FILE, output + ": is a file, not a folder");
+        }
         Files.createDirectories(output);
         WholeFile.checkWritable(output.resolve("reproduction.html"));
         Set<ThesisScene> scenes = scene == null ? EnumSet.allOf(ThesisScene.class) : EnumSet.of(scene);

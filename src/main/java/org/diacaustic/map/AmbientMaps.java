@@ -56,11 +56,12 @@ public final class AmbientMaps implements IlluminationMap {
                 builder(builders, byObject[point.object], point.front, options).add(texels[i], power);
             }
         }
-        double divisor = options.calibration() == AmbientCalibration.DENSITY ? 1 : expectedCount(builders, options);
         AmbientMap[] maps = new AmbientMap[builders.length];
         for (int i = 0; i < maps.length; i++) {
             boolean shared = i % 2 == 1 && builders[i] == builders[i - 1];
-            maps[i] = builders[i] == null ? null : shared ? maps[i - 1] : builders[i].build(divisor, options.blur());
+            maps[i] = builders[i] == null
+                    ? null
+                    : shared ? maps[i - 1] : builders[i].build(divisor(builders[i], options), options.blur());
         }
         return new AmbientMaps(maps, options.interpolates(), bytes(charts, maps));
     }
@@ -112,18 +113,14 @@ public final class AmbientMaps implements IlluminationMap {
         return builders[side];
     }
 
-    /** As given, or the mean number of photons in the texels that have any. */
-    private static double expectedCount(AmbientMap.Builder[] builders, AmbientOptions options) {
-        if (!Double.isNaN(options.expectedCount())) {
-            return options.expectedCount();
+    /** What powers are divided by, besides the areas. */
+    private static double divisor(AmbientMap.Builder builder, AmbientOptions options) {
+        if (options.calibration() == AmbientCalibration.DENSITY) {
+            return 1;
         }
-        long photons = 0;
-        long lit = 0;
-        for (AmbientMap.Builder builder : builders) {
-            photons += builder == null ? 0 : builder.photonCount();
-            lit += builder == null ? 0 : builder.litTexels();
-        }
-        return lit == 0 ? 1 : (double) photons / lit;
+        return Double.isNaN(options.expectedCount())
+                ? (double) builder.photonCount() / builder.litTexels()
+                : options.expectedCount();
     }
 
     private static long bytes(List<AmbientChart> charts, AmbientMap[] maps) {

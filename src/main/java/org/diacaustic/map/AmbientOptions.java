@@ -6,7 +6,7 @@ import java.util.Objects;
  * How ambient maps are made of photons and read.
  *
  * @param expectedCount the photons that a texel is expected to have, for {@link AmbientCalibration#EXPECTED_COUNT}; not a
- *     number: the mean of all texels that have any
+ *     number: the mean of the texels of the same map that have any, since large and small objects have equally many texels
  * @param blur the side, in texels, of the square over which each texel's light is evened out; odd, or 0 for none
  * @param separatesSides whether the two sides of an object have maps of their own; otherwise what lands on one side is seen
  *     on both

@@ -21,9 +21,12 @@ record Cell(Quantity quantity, Optional<Double> published, Statistic ours, Optio
         return published.map(value -> value == rounded() ? 0.0 : (rounded() - value) / value);
     }
 
-    /** How many standard deviations of a single run lie between; nothing if ours does not spread. */
+    /** How many standard deviations of a single run lie between; nothing if ours does not spread, or is a percentage. */
     Optional<Double> deviations() {
         double spread = ours.deviation();
-        return spread > 0 ? published.map(value -> Math.abs(value - ours.mean()) / spread) : Optional.empty();
+        // Percentages are printed too roughly to tell.
+        return spread > 0 && !quantity.isPercentage()
+                ? published.map(value -> Math.abs(value - ours.mean()) / spread)
+                : Optional.empty();
     }
 }

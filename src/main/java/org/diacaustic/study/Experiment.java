@@ -1,5 +1,6 @@
 package org.diacaustic.study;
 
+import java.util.Locale;
 import java.util.Objects;
 
 /** One technique on one scene: a row of the thesis' tables and one of its figures. */
@@ -20,6 +21,6 @@ record Experiment(ThesisScene scene, Method method, MapKind map) {
 
     @Override
     public String toString() {
-        return scene.key() + ": " + title().toLowerCase(java.util.Locale.ROOT);
+        return scene.key() + ": " + title().toLowerCase(Locale.ROOT);
     }
 }

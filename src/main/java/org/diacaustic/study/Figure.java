@@ -1,5 +1,6 @@
 package org.diacaustic.study;
 
+import java.util.Locale;
 import java.util.Optional;
 import org.diacaustic.image.LinearImage;
 
@@ -12,6 +13,6 @@ record Figure(int number, ThesisScene scene, String caption, LinearImage picture
 
     /** The name of its files, without ending. */
     String fileName() {
-        return String.format(java.util.Locale.ROOT, "figure-%02d", number);
+        return String.format(Locale.ROOT, "figure-%02d", number);
     }
 }

@@ -64,6 +64,7 @@ final class Identities {
         int rays = 0;
         int tests = 0;
         int hits = 0;
+        int opened = 0;
         int batches = 0;
         int batched = 0;
         for (Outcome outcome : results.all()) {
@@ -84,13 +85,22 @@ final class Identities {
                                 == value(outcome, Quantity.PRIMARY_HITS, run) + value(outcome, Quantity.STORED, run)
                         ? 1
                         : 0;
+                double beyond =
+                        value(outcome, Quantity.LIGHT_TESTS, run) - 16 * value(outcome, Quantity.RAYS_TRACED, run);
+                opened += beyond >= 0 && beyond % 6 == 0 ? 1 : 0;
                 if (outcome.experiment().method() == MONTE_CARLO) {
                     batched++;
                     batches += value(outcome, Quantity.PRIMARY_RAYS, run) % 1000 == 0 ? 1 : 0;
                 }
             }
         }
-        if (scene != COMPLEX) {
+        if (scene == COMPLEX) {
+            addRuns(
+                    scene,
+                    "tests = 16 × rays traced, and 6 for each volume of the fractal that is opened",
+                    rows,
+                    opened);
+        } else {
             addRuns(scene, "rays traced = primary rays + stored", rows, rays);
             addRuns(scene, "tests = 3 × rays traced", rows, tests);
             addRuns(scene, "rays that hit = primary hits + stored", rows, hits);

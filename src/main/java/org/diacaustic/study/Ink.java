@@ -4,21 +4,25 @@ import java.util.Locale;
 
 /** The colours of charts; the page chooses its own for each by name. */
 enum Ink {
-    PAPER(1, 1, 1),
-    GRID(0.78, 0.78, 0.78),
-    TEXT(0.02, 0.02, 0.03),
-    INDIVIDUAL(0.02, 0.16, 0.45),
-    GLOBAL(0.72, 0.20, 0.02);
-
-    final double red;
-    final double green;
-    final double blue;
+    PAPER(1, 1, 1, "#ffffff"),
+    GRID(0.78, 0.78, 0.78, "#e5e5e5"),
+    TEXT(0.02, 0.02, 0.03, "#26262f"),
+    INDIVIDUAL(0.02, 0.16, 0.45, "#266fb3"),
+    GLOBAL(0.72, 0.20, 0.02, "#dc7c26");
 
     /** Linear light. */
-    Ink(double red, double green, double blue) {
+    final double red;
+
+    final double green;
+    final double blue;
+    /** The same where drawings are shown without the page. */
+    final String webColor;
+
+    Ink(double red, double green, double blue, String webColor) {
         this.red = red;
         this.green = green;
         this.blue = blue;
+        this.webColor = webColor;
     }
 
     String key() {

@@ -26,6 +26,7 @@ final class InsertionTree {
     private long photonsUsed;
     private long foreignPhotonsUsed;
     private long mostNodes;
+    private long insertionSteps;
     private long lookups;
 
     /** @param at where the photon lies, as a number: of the object and its side */
@@ -38,6 +39,7 @@ final class InsertionTree {
         int parent = 0;
         int axis = 0;
         for (int depth = 2; ; depth++) {
+            insertionSteps++;
             boolean goesLeft = coordinate(axis, px, py, pz) < coordinate(axis, x[parent], y[parent], z[parent]);
             int next = goesLeft ? left[parent] : right[parent];
             if (next == NONE) {
@@ -133,6 +135,11 @@ final class InsertionTree {
     /** The levels of the tree: 1 for a single photon. */
     int height() {
         return height;
+    }
+
+    /** Photons that others were compared with as they were inserted. */
+    long insertionSteps() {
+        return insertionSteps;
     }
 
     long lookups() {

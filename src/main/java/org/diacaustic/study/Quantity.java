@@ -19,6 +19,8 @@ enum Quantity {
 
     /** Of a balanced tree over the same photons, asked at the same points. */
     BALANCED_NODES("balancedNodes", "Nodes, balanced tree"),
+    /** Photons that others were compared with on their way into the thesis' tree. */
+    INSERTION_STEPS("insertionSteps", "Steps of insertion"),
     /** Levels of the thesis' unbalanced tree. */
     TREE_HEIGHT("treeHeight", "Height of the tree"),
     MOST_NODES("mostNodesInALookup", "Most nodes in one lookup"),

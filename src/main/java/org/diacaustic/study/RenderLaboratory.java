@@ -95,6 +95,7 @@ final class RenderLaboratory implements Laboratory {
         }
         counts.merge(Quantity.PREPROCESSING_SECONDS, (System.nanoTime() - start) * 1e-9, Double::sum);
         counts.put(Quantity.TREE_HEIGHT, (double) tree.height());
+        counts.put(Quantity.INSERTION_STEPS, (double) tree.insertionSteps());
         return tree;
     }
 

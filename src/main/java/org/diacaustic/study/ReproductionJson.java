@@ -20,6 +20,9 @@ final class ReproductionJson {
         json.name("tables").beginArray();
         report.comparisons().forEach(this::table);
         json.end();
+        json.name("experiments").beginArray();
+        report.results().all().forEach(this::experiment);
+        json.end();
         json.name("identities").beginArray();
         report.identities().forEach(this::identity);
         json.end();
@@ -60,6 +63,22 @@ final class ReproductionJson {
         cell.remark().ifPresent(remark -> json.put("remark", remark.reason()));
         json.name("values").beginArray();
         cell.ours().values().forEach(value -> json.value((double) value));
+        json.end().end();
+    }
+
+    /** Everything that was counted, whether or not the thesis has it. */
+    private void experiment(Outcome outcome) {
+        json.beginObject();
+        json.put("scene", outcome.experiment().scene().key());
+        json.put("method", outcome.experiment().method().key());
+        json.put("map", outcome.experiment().map().key());
+        json.name("counts").beginObject();
+        outcome.counts().forEach((quantity, statistic) -> {
+            json.name(quantity.key()).beginObject();
+            json.put("mean", statistic.mean());
+            json.put("standardDeviation", statistic.deviation());
+            json.end();
+        });
         json.end().end();
     }
 

@@ -61,7 +61,7 @@ final class ReproductionPage {
                 report.threads() == 1 ? "thread" : "threads"));
         add(
                 "<p>The thesis gives neither cameras nor sizes. They were found so that its counts come out, which leaves some"
-                        + " numbers out of reach; those are marked †, with the reason.</p>");
+                        + " numbers out of reach and makes a few come out by themselves; both are marked †, with the reason.</p>");
         add("<nav><a href=\"#statements\">Statements</a><a href=\"#identities\">Exact numbers</a>"
                 + report.scenes().stream()
                         .map(scene -> "<a href=\"#" + scene.key() + "\">" + title(scene) + "</a>")
@@ -193,7 +193,9 @@ final class ReproductionPage {
 
     private static String difference(Cell cell) {
         double difference = cell.difference().orElseThrow();
-        boolean isWithinSpread = cell.deviations().orElse(Double.POSITIVE_INFINITY) <= 2;
+        boolean isWithinSpread =
+                Math.abs(cell.published().orElseThrow() - cell.ours().mean())
+                        <= 2 * cell.ours().deviation();
         String style = Math.abs(difference) <= CLOSE || isWithinSpread
                 ? "good"
                 : cell.remark().isPresent() ? "far" : "bad";

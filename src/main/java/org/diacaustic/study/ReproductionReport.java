@@ -17,6 +17,7 @@ public final class ReproductionReport {
     private final int seeds;
     private final int threads;
     private final double seconds;
+    private final Results results;
     private final List<ThesisScene> scenes;
     private final List<Comparison> comparisons;
     private final List<Figure> figures;
@@ -28,6 +29,7 @@ public final class ReproductionReport {
         this.seeds = seeds;
         this.threads = threads;
         this.seconds = seconds;
+        this.results = results;
         this.scenes = List.copyOf(results.scenes());
         this.comparisons = PublishedTables.of(results.scenes()).stream()
                 .map(table -> Comparison.of(table, results))
@@ -87,6 +89,10 @@ public final class ReproductionReport {
     /** Wall clock of all renders. */
     double seconds() {
         return seconds;
+    }
+
+    Results results() {
+        return results;
     }
 
     List<ThesisScene> scenes() {

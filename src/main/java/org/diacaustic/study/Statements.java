@@ -13,6 +13,7 @@ import static org.diacaustic.study.Method.RANDOM;
 import static org.diacaustic.study.Quantity.BALANCED_NODES;
 import static org.diacaustic.study.Quantity.EYE_TESTS;
 import static org.diacaustic.study.Quantity.FOREIGN_PHOTONS;
+import static org.diacaustic.study.Quantity.INSERTION_STEPS;
 import static org.diacaustic.study.Quantity.LIGHT_TESTS;
 import static org.diacaustic.study.Quantity.MOST_NODES;
 import static org.diacaustic.study.Quantity.NODES_EXAMINED;
@@ -225,11 +226,14 @@ final class Statements {
         return new Answer(
                 Math.rint(twice) == 2 && Math.rint(sixTimes) == 6,
                 text(
-                        "%.1f and %.1f times as long, on one thread; %.2f and %.2f times as many rays",
+                        "%.1f and %.1f times as long, on one thread of this machine; %.1f and %.1f times as many rays,"
+                                + " %.1f and %.1f times as many steps of insertion into the tree",
                         twice,
                         sixTimes,
                         monteCarlo.mean(RAYS_TRACED) / planar.mean(RAYS_TRACED),
-                        adaptive.mean(RAYS_TRACED) / planar.mean(RAYS_TRACED)));
+                        adaptive.mean(RAYS_TRACED) / planar.mean(RAYS_TRACED),
+                        monteCarlo.mean(INSERTION_STEPS) / planar.mean(INSERTION_STEPS),
+                        adaptive.mean(INSERTION_STEPS) / planar.mean(INSERTION_STEPS)));
     }
 
     private static Answer adaptiveStoresLittleMore(Results results) {

@@ -1,5 +1,6 @@
 package org.diacaustic.study;
 
+import java.util.Arrays;
 import java.util.List;
 
 /** A number that was counted once, or several times with different seeds, in the order of the seeds. */
@@ -14,7 +15,7 @@ record Statistic(List<Double> values) {
     }
 
     static Statistic of(double... values) {
-        return new Statistic(java.util.Arrays.stream(values).boxed().toList());
+        return new Statistic(Arrays.stream(values).boxed().toList());
     }
 
     int count() {

@@ -8,21 +8,24 @@ final class SvgCanvas implements Canvas {
 
     /** @param title what the chart shows, for those who do not see it */
     SvgCanvas(int width, int height, String title) {
-        append("<svg viewBox=\"0 0 %d %d\" role=\"img\" aria-label=\"%s\">", width, height, Html.escape(title));
+        append(
+                "<svg viewBox=\"0 0 %d %d\" role=\"img\" aria-label=\"%s\" font-size=\"10\" fill=\"%s\">",
+                width, height, Html.escape(title), Ink.TEXT.webColor);
     }
 
     @Override
     public void fill(double x, double y, double width, double height, Ink ink) {
-        rectangle(x, y, width, height, "fill-" + ink.key());
+        rectangle(x, y, width, height, "fill=\"" + ink.webColor + "\" class=\"fill-" + ink.key());
     }
 
     @Override
     public void outline(double x, double y, double width, double height, Ink ink) {
-        rectangle(x + 0.5, y + 0.5, width - 1, height - 1, "line-" + ink.key());
+        String paint = "fill=\"none\" stroke=\"" + ink.webColor + "\" class=\"line-" + ink.key();
+        rectangle(x + 0.5, y + 0.5, width - 1, height - 1, paint);
     }
 
-    private void rectangle(double x, double y, double width, double height, String style) {
-        append("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" class=\"%s\"/>", x, y, width, height, style);
+    private void rectangle(double x, double y, double width, double height, String paint) {
+        append("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" %s\"/>", x, y, width, height, paint);
     }
 
     @Override

@@ -13,11 +13,20 @@ import org.diacaustic.shader.NonTransparentShader;
  * @param planarSize points along the side of the planar lattice
  * @param hitColumns areas across a refracting object, each of which lets one primary ray through
  * @param hitRows areas up such an object
- * @param mapSize texels along the sides of every individual ambient map
  * @param gatherRadius of the volume of interest, in scene units: so large that as many photons of the planar map are used as
  *     the thesis says
+ * @param litArea about the area on which photons land, in square scene units
  */
-record ThesisParameters(int planarSize, int hitColumns, int hitRows, int mapSize, double gatherRadius) {
+record ThesisParameters(int planarSize, int hitColumns, int hitRows, double gatherRadius, double litArea) {
+    /** Texels along the sides of every individual ambient map; chosen for the pictures, as no count tells it. */
+    private static final int MAP_SIZE = 100;
+
+    /** The sheet, 5 units wide, as its shadow on the floor: 4 below it, 70 below the light. */
+    private static final double SHEET_SHADOW = 25.0 * (70 * 70) / (66 * 66);
+
+    /** The floor of the box. */
+    private static final double BOX_FLOOR = 100;
+
     private static final int CUBE_SIZE = 447;
     private static final int ADAPTIVE_SIZE = 283;
     private static final long RANDOM_RAYS = 1_000_000;
@@ -26,8 +35,8 @@ record ThesisParameters(int planarSize, int hitColumns, int hitRows, int mapSize
 
     static ThesisParameters of(ThesisScene scene) {
         return scene == ThesisScene.COMPLEX
-                ? new ThesisParameters(461, 311, 311, 311, 0.0697)
-                : new ThesisParameters(421, 140, 141, 140, 0.0697);
+                ? new ThesisParameters(461, 311, 311, 0.0776, BOX_FLOOR)
+                : new ThesisParameters(421, 140, 141, 0.0697, SHEET_SHADOW);
     }
 
     /** @param thesis the settings of the scene, in thesis mode */
@@ -39,7 +48,7 @@ record ThesisParameters(int planarSize, int hitColumns, int hitRows, int mapSize
         ThesisParameters parameters = of(experiment.scene());
         return settings.shader(NonTransparentShader.NAME)
                 .forward(parameters.forward(experiment.method(), thesis.forward()))
-                .maps(parameters.maps(experiment.map(), thesis.maps()))
+                .maps(parameters.maps(experiment, thesis.maps()))
                 .build();
     }
 
@@ -55,15 +64,26 @@ record ThesisParameters(int planarSize, int hitColumns, int hitRows, int mapSize
         };
     }
 
-    private MapSettings maps(MapKind kind, MapSettings thesis) {
-        MapSettings.Builder maps = thesis.toBuilder().map(MapName.valueOf(kind.name()));
-        return kind == MapKind.PHOTON_MAP
-                ? maps.gatherRadius(gatherRadius).build()
-                : maps.mapColumns(mapSize)
-                        .mapRows(mapSize)
+    private MapSettings maps(Experiment experiment, MapSettings thesis) {
+        MapSettings.Builder maps =
+                thesis.toBuilder().map(MapName.valueOf(experiment.map().name()));
+        return experiment.map() == MapKind.PHOTON_MAP
+                ? maps.gatherRadius(gatherRadius)
+                        .expectedCount(expectedCount(experiment))
+                        .build()
+                : maps.mapColumns(MAP_SIZE)
+                        .mapRows(MAP_SIZE)
                         .initialHits(1)
                         .initialHitColumns(hitColumns)
                         .initialHitRows(hitRows)
                         .build();
+    }
+
+    /** As many as each light would put within the radius if the photons that the thesis stores were spread evenly; at least 1. */
+    private double expectedCount(Experiment experiment) {
+        double stored = PublishedTables.number(experiment, Quantity.STORED);
+        int lights = experiment.scene() == ThesisScene.COMPLEX ? 2 : 1;
+        double count = stored / lights * Math.PI * gatherRadius * gatherRadius / litArea;
+        return Math.max(1, count);
     }
 }

@@ -166,15 +166,15 @@ class AmbientMapsTest {
     }
 
     @Test
-    void irradiance_givenNoExpectedCount_takesTheMeanOfLitTexels() {
-        // 3 photons in a texel of one object, 1 in one of another: 2 a lit texel.
+    void irradiance_givenNoExpectedCount_takesTheMeanOfLitTexelsOfTheObject() {
+        // 3 photons in the only lit texel of one object, 1 in that of another.
         store(0, true, 1.5, 1, 4);
         store(0, false, 1.5, 1, 4);
         store(0, true, 1.5, 1, 4);
         store(1, true, 0.5, 1, 4);
         AmbientMaps maps = maps(AmbientOptions.thesis().withBlur(0), STRIP, flat(1, 2, 2, 4, 4));
-        assertThat(green(maps, 0, true, 1.5, 1)).isEqualTo(2 * 12 / 2.0);
-        assertThat(green(maps, 1, true, 0.5, 1)).isEqualTo(2 * 4 / 2.0);
+        assertThat(green(maps, 0, true, 1.5, 1)).isEqualTo(2 * 12 / 3.0);
+        assertThat(green(maps, 1, true, 0.5, 1)).isEqualTo(2 * 4 / 1.0);
     }
 
     @Test

@@ -29,8 +29,8 @@ class ThesisTablesTest {
         "control, non-refractive, 200974, 21433, 589, 5168",
         "refraction, non-transparent, 184378, 19281, 589, 1788",
         "refraction, non-refractive, 184378, 19281, 589, 1788",
-        "complex, non-transparent, 2227245, 85542, 267, 2504",
-        "complex, non-refractive, 2258614, 85542, 267, 2504",
+        "complex, non-transparent, 2225218, 85518, 267, 2493",
+        "complex, non-refractive, 2256078, 85518, 267, 2493",
     })
     void render_givenScene_countsAsItsTable(
             String scene, String shader, long tests, long shadow, long reflection, long refraction) {
