@@ -21,6 +21,10 @@ final class CausticPhotons {
     /** The sphere stands on the floor. */
     private static final double SPHERE = 0.35;
 
+    /** Of each wave: twice π ÷ its length along x and z, its height, its phase. */
+    private static final double[][] WAVES = {{9, 2, 0.012, 0}, {-5, 17, 0.006, 1}, {13, -11, 0.005, 2}, {3, 7, 0.012, 4}
+    };
+
     private final SampleStream random = new SampleStream();
     private final SurfacePoint landing = new SurfacePoint();
     private final Rgb power = new Rgb().set(1, 0.9, 0.8);
@@ -74,8 +78,7 @@ final class CausticPhotons {
         double height = 0;
         double slopeX = 0;
         double slopeZ = 0;
-        double[][] waves = {{9, 2, 0.012, 0}, {-5, 17, 0.006, 1}, {13, -11, 0.005, 2}, {3, 7, 0.012, 4}};
-        for (double[] wave : waves) {
+        for (double[] wave : WAVES) {
             double phase = wave[0] * x + wave[1] * z + wave[3];
             height += wave[2] * Math.sin(phase);
             slopeX += wave[2] * wave[0] * Math.cos(phase);

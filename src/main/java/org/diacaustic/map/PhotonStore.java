@@ -2,6 +2,7 @@ package org.diacaustic.map;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import org.diacaustic.math.Rgb;
 import org.diacaustic.math.Vector3;
 
@@ -112,8 +113,8 @@ public final class PhotonStore {
         return chunks.get(number);
     }
 
-    int chunkCount() {
-        return chunks.size();
+    void forEachChunk(Consumer<PhotonChunk> action) {
+        chunks.forEach(action);
     }
 
     /** Sets point, normal and receiver to those of photon i. */

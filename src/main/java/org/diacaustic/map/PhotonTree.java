@@ -14,7 +14,7 @@ import org.diacaustic.parallel.Workers;
  * squared distances stay in range whatever the scale of the scene. Immutable, shared by maps and threads.
  */
 public final class PhotonTree {
-    /** Photons copied by one task. */
+    /** Photons copied by one task: whole chunks. */
     private static final int TASK = 1 << 16;
 
     final PointTree points;
@@ -43,25 +43,23 @@ public final class PhotonTree {
         int size = store.size();
         origin = store.origin();
         powerUnit = store.powerUnit();
-        lengthUnit = lengthUnit(store);
-        x = take(store, chunk -> chunk.x, 1 / lengthUnit);
-        forEachChunk(store, chunk -> chunk.x = null);
-        y = take(store, chunk -> chunk.y, 1 / lengthUnit);
-        forEachChunk(store, chunk -> chunk.y = null);
-        z = take(store, chunk -> chunk.z, 1 / lengthUnit);
-        forEachChunk(store, chunk -> chunk.z = null);
-        forEachChunk(store, chunk -> chunk.receiver = null);
+        store.forEachChunk(chunk -> chunk.receiver = null);
+        x = take(store, chunk -> chunk.x, chunk -> chunk.x = null, workers);
+        y = take(store, chunk -> chunk.y, chunk -> chunk.y = null, workers);
+        z = take(store, chunk -> chunk.z, chunk -> chunk.z = null, workers);
+        float largest = Math.max(largest(x), Math.max(largest(y), largest(z)));
+        lengthUnit = largest == 0 ? 1 : Arithmetic.powerOfTwoNear(largest);
+        divide(x, lengthUnit, workers);
+        divide(y, lengthUnit, workers);
+        divide(z, lengthUnit, workers);
         int[] numbers = new int[size];
         for (int i = 0; i < size; i++) {
             numbers[i] = i;
         }
         points = PointTree.over(x, y, z, numbers, workers);
-        red = arrange(store, numbers, chunk -> chunk.red, workers);
-        forEachChunk(store, chunk -> chunk.red = null);
-        green = arrange(store, numbers, chunk -> chunk.green, workers);
-        forEachChunk(store, chunk -> chunk.green = null);
-        blue = arrange(store, numbers, chunk -> chunk.blue, workers);
-        forEachChunk(store, chunk -> chunk.blue = null);
+        red = arrange(take(store, chunk -> chunk.red, chunk -> chunk.red = null, workers), numbers, workers);
+        green = arrange(take(store, chunk -> chunk.green, chunk -> chunk.green = null, workers), numbers, workers);
+        blue = arrange(take(store, chunk -> chunk.blue, chunk -> chunk.blue = null, workers), numbers, workers);
         normal = arrangeNormals(store, numbers, workers);
         leafNormal = leafNormals();
         store.forget();
@@ -76,61 +74,57 @@ public final class PhotonTree {
         return new PhotonTree(store, workers);
     }
 
-    private static double lengthUnit(PhotonStore store) {
-        float largest = 0;
-        int left = store.size();
-        for (int c = 0; c < store.chunkCount(); c++) {
-            PhotonChunk chunk = store.chunk(c);
-            int count = Math.min(left, PhotonChunk.SIZE);
-            for (int i = 0; i < count; i++) {
-                largest = Math.max(largest, Math.max(Math.abs(chunk.x[i]), Math.abs(chunk.y[i])));
-                largest = Math.max(largest, Math.abs(chunk.z[i]));
-            }
-            left -= count;
-        }
-        return largest == 0 ? 1 : Arithmetic.powerOfTwoNear(largest);
-    }
-
-    private static void forEachChunk(PhotonStore store, Consumer<PhotonChunk> action) {
-        for (int c = 0; c < store.chunkCount(); c++) {
-            action.accept(store.chunk(c));
-        }
-    }
-
-    private static float[] take(PhotonStore store, Function<PhotonChunk, float[]> column, double scale) {
+    /** Moves an array of every chunk into one array of all. */
+    private static float[] take(
+            PhotonStore store, Function<PhotonChunk, float[]> column, Consumer<PhotonChunk> release, Workers workers) {
         float[] all = new float[store.size()];
-        for (int c = 0; c < store.chunkCount(); c++) {
-            float[] part = column.apply(store.chunk(c));
-            int start = c << PhotonChunk.BITS;
-            int count = Math.min(PhotonChunk.SIZE, all.length - start);
-            for (int i = 0; i < count; i++) {
-                all[start + i] = (float) (part[i] * scale);
-            }
-        }
-        return all;
-    }
-
-    private static float[] arrange(
-            PhotonStore store, int[] numbers, Function<PhotonChunk, float[]> column, Workers workers) {
-        float[] all = new float[numbers.length];
-        share(workers, numbers.length, (start, end) -> {
-            for (int i = start; i < end; i++) {
-                int number = numbers[i];
-                all[i] = column.apply(store.chunk(number >> PhotonChunk.BITS))[number & PhotonChunk.SIZE - 1];
+        share(workers, all.length, (first, end) -> {
+            for (int start = first; start < end; start += PhotonChunk.SIZE) {
+                float[] part = column.apply(store.chunk(start >> PhotonChunk.BITS));
+                System.arraycopy(part, 0, all, start, Math.min(PhotonChunk.SIZE, end - start));
             }
         });
+        store.forEachChunk(release);
         return all;
+    }
+
+    private static float largest(float[] values) {
+        float largest = 0;
+        for (float value : values) {
+            float size = Math.abs(value);
+            largest = size > largest ? size : largest;
+        }
+        return largest;
+    }
+
+    private static void divide(float[] values, double unit, Workers workers) {
+        double inverse = 1 / unit;
+        share(workers, values.length, (start, end) -> {
+            for (int i = start; i < end; i++) {
+                values[i] = (float) (values[i] * inverse);
+            }
+        });
+    }
+
+    private static float[] arrange(float[] before, int[] numbers, Workers workers) {
+        float[] after = new float[numbers.length];
+        share(workers, numbers.length, (start, end) -> {
+            for (int i = start; i < end; i++) {
+                after[i] = before[numbers[i]];
+            }
+        });
+        return after;
     }
 
     private static int[] arrangeNormals(PhotonStore store, int[] numbers, Workers workers) {
-        int[] all = new int[numbers.length];
+        int[] after = new int[numbers.length];
         share(workers, numbers.length, (start, end) -> {
             for (int i = start; i < end; i++) {
                 int number = numbers[i];
-                all[i] = store.chunk(number >> PhotonChunk.BITS).normal[number & PhotonChunk.SIZE - 1];
+                after[i] = store.chunk(number >> PhotonChunk.BITS).normal[number & PhotonChunk.SIZE - 1];
             }
         });
-        return all;
+        return after;
     }
 
     private int[] leafNormals() {
@@ -150,7 +144,7 @@ public final class PhotonTree {
         if (tasks <= 1) {
             task.run(0, size);
         } else {
-            workers.run(tasks, () -> i -> task.run(i * TASK, Math.min(size, (i + 1) * TASK)));
+            workers.run(tasks, () -> i -> task.run(i * TASK, (int) Math.min(size, (i + 1L) * TASK)));
         }
     }
 
