@@ -201,6 +201,7 @@ final class LightTracer extends PathTracer {
     protected void end() {
         if (depth == 0) {
             if (primary.targetObject != SceneIndex.NONE) {
+                // It went by the very edge of what it was aimed at: by rounding only.
                 return;
             }
             bookStart();

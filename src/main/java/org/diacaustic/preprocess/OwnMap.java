@@ -56,9 +56,16 @@ record OwnMap(int object, Shape shape, List<Chart> charts) {
         Vector3 x = Vector3.UNIT_X.times(box.maxX() - box.minX());
         Vector3 y = Vector3.UNIT_Y.times(box.maxY() - box.minY());
         Vector3 z = Vector3.UNIT_Z.times(box.maxZ() - box.minZ());
-        charts.add(Chart.planar(low, y, z));
-        charts.add(Chart.planar(low, z, x));
-        charts.add(Chart.planar(low, x, y));
+        addFace(low, y, z, charts);
+        addFace(low, z, x, charts);
+        addFace(low, x, y, charts);
+    }
+
+    /** What is flat shows no face to lines that run in it. */
+    private static void addFace(Vector3 low, Vector3 sideU, Vector3 sideV, List<Chart> charts) {
+        if (sideU.length() > 0 && sideV.length() > 0) {
+            charts.add(Chart.planar(low, sideU, sideV));
+        }
     }
 
     /**

@@ -81,25 +81,26 @@ final class OwnMapPreProcessor implements PreProcessor {
         }
     }
 
-    /** Looks at the objects of the beam from the middle of the light. */
     private static List<Seen> seen(Beam beam) {
-        LightPoint middle = new LightPoint();
-        beam.light().emitFrom(0.5, 0.5, middle);
         List<Seen> all = new ArrayList<>();
         for (int number : beam.specularObjects().toArray()) {
-            OwnMap.of(number, beam.scene().object(number)).ifPresent(map -> all.add(look(beam, middle, map)));
+            OwnMap.of(number, beam.scene().object(number)).ifPresent(map -> all.add(look(beam, map)));
         }
         return all;
     }
 
-    private static Seen look(Beam beam, LightPoint from, OwnMap map) {
+    /** Looks at an object from all over the light. */
+    private static Seen look(Beam beam, OwnMap map) {
         SurfaceSight sight = new SurfaceSight(beam, map);
         LightRay ray = new LightRay();
-        List<LineLattice> lattices = map.lattices(LOOKS, 0, new SampleStream());
+        LightPoint from = new LightPoint();
+        SampleStream random = new SampleStream();
+        List<LineLattice> lattices = map.lattices(LOOKS, 0, random);
         double[] flux = new double[1];
         long[] count = new long[1];
         IntStream.range(0, lattices.size())
                 .forEach(k -> map.cross(lattices, k, 0, lattices.get(k).size(), (line, area) -> {
+                    beam.light().emitFrom(random.nextDouble(), random.nextDouble(), from);
                     if (sight.aim(from, line.hit, area, ray)) {
                         count[0]++;
                         flux[0] += sight.brightness() * ray.measure;

@@ -64,7 +64,7 @@ public final class ForwardSettings {
         return values.uniformDirections;
     }
 
-    /** Points along the side of the planar lattice, of a face of the cube, or of the first level of the adaptive one. 0: from the number of rays. */
+    /** Points along the side of the planar lattice, of a face of the cube, of an object's own map, or of the first level of the adaptive one. 0: from the number of rays. */
     public int latticeSize() {
         return values.latticeSize;
     }

@@ -141,6 +141,8 @@ class ForwardPassTest {
         ForwardPass whole = Forward.run(scene, Forward.settings(s -> s.aimAtSpecular(false)), "cube", 4_000_000);
         double expected = power(whole.photons());
         assertThat(power(aimed.photons())).isCloseTo(expected, within(0.01 * expected));
+        ForwardPass owned = Forward.run(scene, PHYSICAL, "own-map", 200_000);
+        assertThat(power(owned.photons())).isCloseTo(expected, within(0.01 * expected));
     }
 
     @ParameterizedTest
