@@ -58,7 +58,7 @@ public final class AmbientMaps implements IlluminationMap {
         }
         AmbientMap[] maps = new AmbientMap[builders.length];
         for (int i = 0; i < maps.length; i++) {
-            boolean shared = i % 2 == 1 && builders[i] == builders[i - 1];
+            boolean shared = (i & 1) != 0 && builders[i] == builders[i - 1];
             maps[i] = builders[i] == null
                     ? null
                     : shared ? maps[i - 1] : builders[i].build(divisor(builders[i], options), options.blur());

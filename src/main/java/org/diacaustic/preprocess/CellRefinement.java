@@ -78,9 +78,7 @@ final class CellRefinement {
             if (wanted[(int) i]) {
                 SampleStream random = emitter.random(i);
                 emitter.point(point.s(), point.t());
-                double p = (i % level.columns + random.nextDouble()) / level.columns;
-                double q = (i / level.columns + random.nextDouble()) / level.rows;
-                level.chart.aim(p, q, emitter.ray());
+                level.aim(i, random.nextDouble(), random.nextDouble(), emitter.ray());
                 emitter.shoot(share);
             }
         });

@@ -1,6 +1,7 @@
 package org.diacaustic.preprocess;
 
 import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.DoubleConsumer;
 import org.diacaustic.light.Light;
@@ -29,7 +30,7 @@ public final class ForwardPass {
     private final AtomicLong raysDone = new AtomicLong();
     private InitialHits initialHits;
     private Beam beam;
-    private int stage;
+    private final AtomicInteger stage = new AtomicInteger();
 
     /**
      * @param pass the number of the pass: passes are independent of each other
@@ -55,7 +56,7 @@ public final class ForwardPass {
         Light light = null;
         for (Beam next : plan.beams()) {
             beam = next;
-            stage = 0;
+            stage.set(0);
             if (plan.isSequential() && beam.light() != light) {
                 light = beam.light();
                 initialHits = initialHits();
@@ -90,7 +91,7 @@ public final class ForwardPass {
 
     /** Runs a stage of a pre-processor whose tasks are cut by the pre-processor itself. */
     public void shootTasks(int tasks, Body body) {
-        long streams = streams(stage++);
+        long streams = streams(stage.getAndIncrement());
         PhotonSlice[] slices = new PhotonSlice[tasks];
         EnergyLedger[] ledgers = new EnergyLedger[tasks];
         ForwardCounters[] counts = new ForwardCounters[tasks];

@@ -178,16 +178,16 @@ public final class ForwardPlanner {
 
     /** About the flux, in W, that the light sends into the window. */
     private static double flux(Beam beam, LightPoint middle) {
-        EmissionChart chart = beam.uniformChart(middle);
+        Lattice samples = new Lattice(beam.uniformChart(middle), FLUX_SAMPLES, FLUX_SAMPLES, 0.5, 0.5);
         LightRay ray = new LightRay();
         Rgb intensity = new Rgb();
         double sum = 0;
-        for (int i = 0; i < FLUX_SAMPLES * FLUX_SAMPLES; i++) {
-            chart.aim((i % FLUX_SAMPLES + 0.5) / FLUX_SAMPLES, (i / FLUX_SAMPLES + 0.5) / FLUX_SAMPLES, ray);
+        for (int i = 0; i < samples.size(); i++) {
+            samples.aim(i, ray);
             beam.light().emit(middle, ray.directionX, ray.directionY, ray.directionZ, intensity);
             sum += intensity.largest() * ray.measure;
         }
-        return sum / (FLUX_SAMPLES * FLUX_SAMPLES);
+        return sum / samples.size();
     }
 
     private double typicalPower(Beam beam, Target target, boolean isWeighted) {

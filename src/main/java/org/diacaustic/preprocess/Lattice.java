@@ -31,6 +31,13 @@ final class Lattice {
 
     /** Aims at point i of the lattice, rows one after the other. */
     void aim(long i, LightRay ray) {
-        chart.aim((i % columns + shiftP) / columns, (i / columns + shiftQ) / rows, ray);
+        aim(i, shiftP, shiftQ, ray);
+    }
+
+    /** Aims at a place in the part of point i. */
+    void aim(long i, double withinP, double withinQ, LightRay ray) {
+        long row = i / columns;
+        long column = i - row * columns;
+        chart.aim((column + withinP) / columns, (row + withinQ) / rows, ray);
     }
 }
