@@ -62,11 +62,28 @@ final class ReproductionPage {
         add(
                 "<p>The thesis gives neither cameras nor sizes. They were found so that its counts come out, which leaves some"
                         + " numbers out of reach and makes a few come out by themselves; both are marked †, with the reason.</p>");
+        agreement();
         add("<nav><a href=\"#statements\">Statements</a><a href=\"#identities\">Exact numbers</a>"
                 + report.scenes().stream()
                         .map(scene -> "<a href=\"#" + scene.key() + "\">" + title(scene) + "</a>")
                         .collect(Collectors.joining())
                 + "</nav>");
+    }
+
+    private void agreement() {
+        List<Double> differences = report.comparisons().stream()
+                .flatMap(comparison -> comparison.rows().stream())
+                .flatMap(row -> row.cells().stream())
+                .flatMap(cell -> cell.difference().stream())
+                .toList();
+        add(text(
+                "<p>Of %d published numbers %d came out the same as printed, and %d within %.0f %%.</p>",
+                differences.size(),
+                differences.stream().filter(difference -> difference == 0).count(),
+                differences.stream()
+                        .filter(difference -> Math.abs(difference) <= CLOSE)
+                        .count(),
+                100 * CLOSE));
     }
 
     private void statements() {
