@@ -14,7 +14,8 @@ import org.diacaustic.math.SampleStream;
  *
  * <p>A ray stands for the solid angle of its part of the surface, so it counts only if that is what it meets first: the light
  * that others stop is theirs. That is right on average for objects of any shape with bounds, and evenest for what its
- * own chart sees squarely: flat ones, and round ones about their middle.
+ * own chart sees squarely: flat ones, and round ones about their middle. A light much closer to an object than that is large
+ * makes uneven photons of it, strong where it is near; rays that are laid out around the light are better then.
  */
 final class OwnMapPreProcessor implements PreProcessor {
     static final String NAME = "own-map";
@@ -26,6 +27,9 @@ final class OwnMapPreProcessor implements PreProcessor {
 
     /** Of an object's lines no more go in vain than this, for one that brings a ray. */
     private static final double LEAST_SEEN = 1.0 / 64;
+
+    /** The part of the rays that is dealt out evenly. */
+    private static final double LEAST_SHARE = 1.0 / 16;
 
     @Override
     public String name() {
@@ -52,7 +56,8 @@ final class OwnMapPreProcessor implements PreProcessor {
         while (points.next()) {
             for (Seen seen : maps) {
                 // By flux, so that photons are about equal; but something for what seems to get none.
-                double share = flux > 0 ? 0.75 * seen.flux / flux + 0.25 / maps.size() : 1.0 / maps.size();
+                double share =
+                        flux > 0 ? (1 - LEAST_SHARE) * seen.flux / flux + LEAST_SHARE / maps.size() : 1.0 / maps.size();
                 double lines = beam.rays() * share / points.count() / Math.max(LEAST_SEEN, seen.fraction);
                 List<LineLattice> lattices =
                         seen.map.lattices(lines, beam.settings().latticeSize(), shifts);

@@ -12,7 +12,11 @@ import org.diacaustic.light.SphereLight;
 import org.diacaustic.material.Material;
 import org.diacaustic.math.Color;
 import org.diacaustic.math.Vector3;
+import org.diacaustic.parallel.Workers;
+import org.diacaustic.scene.EstimatorName;
+import org.diacaustic.scene.MapName;
 import org.diacaustic.scene.Scene;
+import org.diacaustic.scene.SceneIndex;
 import org.diacaustic.scene.Settings;
 import org.diacaustic.shape.Box;
 import org.diacaustic.shape.ConvexPolygon;
@@ -155,6 +159,40 @@ class OwnMapPreProcessorTest {
                 .object("high", new Box(new Vector3(-1, 1, -1), new Vector3(1, 2, 1)), Forward.clear(1.3, 1))
                 .build();
         assertThat(sentOut(scene)).isCloseTo(8 * Math.sqrt(0.5), within(0.02));
+    }
+
+    /** A ray aimed at an object counts only if it meets that first, and where it was said to. */
+    @ParameterizedTest
+    @CsvSource({"0, 4, 1", "0, 3.9, 0", "0, 6, 0", "1, 4, 0", "1, 8, 0"})
+    void shoot_givenTarget_countsOnlyThere(int object, double distance, double expected) {
+        PreProcessor one = new PreProcessor() {
+            @Override
+            public String name() {
+                return "one";
+            }
+
+            @Override
+            public void run(Beam beam, ForwardPass pass) {
+                pass.shootRays(1, (i, emitter) -> {
+                    emitter.point(0.5, 0.5);
+                    emitter.ray().setOrigin(0, 5, 0);
+                    emitter.ray().setDirection(0, -1, 0);
+                    emitter.ray().measure = 1;
+                    emitter.ray().aimAt(object, distance, 1e-9);
+                    emitter.shoot(1);
+                });
+            }
+        };
+        Scene scene = scene(lamp(0, 5, 0))
+                .object("near", new Sphere(Vector3.ZERO, 1), MIRROR)
+                .object("far", new Sphere(new Vector3(0, -4, 0), 1), MIRROR)
+                .build();
+        SceneIndex index = SceneIndex.of(scene.objects(), false);
+        ForwardPlan plan = new ForwardPlanner(scene, index, Forward.settings(s -> s.aimAtSpecular(false)))
+                .plan(one, 1, MapName.PHOTON_MAP, EstimatorName.DENSITY);
+        ForwardPass pass = new ForwardPass(plan, 0, new Workers(1)).run();
+        assertThat(pass.ledger().emitted() / 3).isEqualTo(expected);
+        assertThat(pass.counters().primaryRays()).isEqualTo(1);
     }
 
     /** As many rays as asked for, though a lamp sees but a part of a ball, and half of a round lamp sees nothing. */
