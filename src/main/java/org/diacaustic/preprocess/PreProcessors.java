@@ -29,8 +29,8 @@ public final class PreProcessors {
                 new MonteCarloPreProcessor(),
                 new PlanarPreProcessor(),
                 new CubePreProcessor(),
-                new OwnMapPreProcessor(),
-                new AdaptivePreProcessor())) {
+                new AdaptivePreProcessor(),
+                new OwnMapPreProcessor())) {
             all.put(builtIn.name(), builtIn);
         }
         for (PreProcessor found : additional) {
