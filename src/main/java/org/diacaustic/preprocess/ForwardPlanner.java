@@ -66,6 +66,9 @@ public final class ForwardPlanner {
         if (map == MapName.AMBIENT_MAPS) {
             AmbientCharts.requireEnds(index);
         }
+        if (settings.maps().initialHits() > 0) {
+            refuseInitialHitsWithoutEnd();
+        }
         List<Target> targets = targets();
         List<Beam> beams = new ArrayList<>();
         double powerUnit = 0;
@@ -121,6 +124,17 @@ public final class ForwardPlanner {
             }
         }
         return targets;
+    }
+
+    private void refuseInitialHitsWithoutEnd() {
+        for (SceneObject object : scene.objects()) {
+            Bounds whole = object.shape().bounds();
+            if (object.material().isTransparent() && !whole.isEmpty() && !whole.isFinite()) {
+                throw new ForwardPlanException(
+                        "'" + object.name()
+                                + "' has no end, and no areas that could let 'initial-hits' through; give it bounds, or leave those out");
+            }
+        }
     }
 
     /** Refuses parallel light where it would have to be followed from surfaces that have no end. */

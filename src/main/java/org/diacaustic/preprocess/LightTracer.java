@@ -53,6 +53,10 @@ final class LightTracer extends PathTracer {
         return plan;
     }
 
+    boolean isStopped() {
+        return stop.isSet();
+    }
+
     /** Says where what the next rays bring is kept, and where it is counted. */
     void startTask(PhotonSlice slice, EnergyLedger taskLedger, ForwardCounters taskCounters) {
         photons = slice;

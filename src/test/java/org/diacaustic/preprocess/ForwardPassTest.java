@@ -298,6 +298,21 @@ class ForwardPassTest {
                 .hasMessageContaining("'sea' has no bounds");
     }
 
+    @Test
+    void plan_givenInitialHitsAndEndlessWater_isRefusedInASentence() {
+        Scene scene = Scene.builder()
+                .camera(Forward.camera())
+                .light(new PointLight(new Vector3(0, 7, 0), Color.WHITE))
+                .object("sea", new Plane(Vector3.ZERO, Vector3.UNIT_Y), Forward.clear(1.33, 1))
+                .build();
+        Settings settings = PHYSICAL.toBuilder()
+                .maps(PHYSICAL.maps().toBuilder().initialHits(1).build())
+                .build();
+        assertThatThrownBy(() -> Forward.plan(scene, settings, "cube", 100))
+                .isInstanceOf(ForwardPlanException.class)
+                .hasMessageContaining("'sea' has no end");
+    }
+
     /** A mirror throws the lamp's light onto a wall; with mirrored light left out nothing arrives. */
     @Test
     void run_givenMirror_storesMirroredLightIfItIsWanted() {
