@@ -26,6 +26,7 @@ public final class Beam {
     private final ForwardSettings settings;
     private final MediumStack mediaAtLight;
     private final double startDistance;
+    private final int[] endlessObjects;
     /** Null if it depends on the point of the light. */
     private final EmissionChart uniformChart;
 
@@ -53,7 +54,17 @@ public final class Beam {
         this.settings = settings;
         this.mediaAtLight = mediaAtLight;
         this.startDistance = startDistance;
+        this.endlessObjects = isParallel() ? endlessObjects(scene) : new int[0];
         this.uniformChart = light.isVisible() ? null : uniformChart();
+    }
+
+    private static int[] endlessObjects(SceneIndex scene) {
+        return IntStream.range(0, scene.size())
+                .filter(i -> {
+                    Bounds bounds = scene.object(i).shape().bounds();
+                    return !bounds.isEmpty() && !bounds.isFinite();
+                })
+                .toArray();
     }
 
     private EmissionChart uniformChart() {
@@ -98,6 +109,11 @@ public final class Beam {
     /** How far before the middle of the window parallel rays start. */
     double startDistance() {
         return startDistance;
+    }
+
+    /** The numbers of the objects that parallel rays may have met before they start; none for other rays. Not to be changed. */
+    int[] endlessObjects() {
+        return endlessObjects;
     }
 
     EmissionWindow window() {

@@ -9,6 +9,9 @@ import org.diacaustic.math.SampleStream;
  * stands for all of it. Rays that look are not stored, so what they found decides only where cells are small.
  */
 final class CellRefinement {
+    /** Parts along the side of a cell, at most: their number is still a number of cells. */
+    private static final int MOST_PARTS = 1 << 15;
+
     private final Beam beam;
     private final ForwardPass pass;
     private final Lattices.PointLattices point;
@@ -30,7 +33,7 @@ final class CellRefinement {
         long firstLevel = point.lattices().stream().mapToLong(Lattice::size).sum();
         for (Lattice lattice : point.lattices()) {
             Lattice level = lattice;
-            boolean[] wanted = new boolean[Math.toIntExact(level.size())];
+            boolean[] wanted = cells(level.size());
             Arrays.fill(wanted, true);
             long spent = 0;
             for (int i = 0; i < depth; i++) {
@@ -44,8 +47,8 @@ final class CellRefinement {
                 int parts = split;
                 if (i == depth - 1 && !isSized && count(wanted) > 0) {
                     double share = (double) lattice.size() / firstLevel;
-                    parts = (int) Math.max(
-                            1, Math.rint(Math.sqrt(Math.max(1, (rays * share - spent) / count(wanted)))));
+                    double perCell = Math.sqrt(Math.max(1, (rays * share - spent) / count(wanted)));
+                    parts = (int) Math.min(MOST_PARTS, Math.rint(perCell));
                 }
                 wanted = cut(wanted, level, parts);
                 level = finer(level, parts);
@@ -110,12 +113,22 @@ final class CellRefinement {
     }
 
     private static boolean[] cut(boolean[] wanted, Lattice level, int parts) {
+        boolean[] finer = cells((long) wanted.length * parts * parts);
         int columns = level.columns * parts;
-        boolean[] finer = new boolean[Math.multiplyExact(wanted.length, parts * parts)];
         for (int i = 0; i < finer.length; i++) {
             finer[i] = wanted[i / columns / parts * level.columns + i % columns / parts];
         }
         return finer;
+    }
+
+    /** @throws ForwardPlanException if they are too many for an array */
+    static boolean[] cells(long count) {
+        if (count > Integer.MAX_VALUE - 8) {
+            throw new ForwardPlanException(
+                    "preprocessor '" + AdaptivePreProcessor.NAME + "' would cut its lattice into " + count
+                            + " cells, which are too many; give fewer rays, or a smaller lattice-size, split or split-depth");
+        }
+        return new boolean[(int) count];
     }
 
     private static long count(boolean[] cells) {

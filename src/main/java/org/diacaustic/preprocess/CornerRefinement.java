@@ -24,7 +24,7 @@ final class CornerRefinement {
     void run(List<Lattices.PointLattices> all) {
         for (Lattices.PointLattices point : all) {
             for (Lattice lattice : point.lattices()) {
-                boolean[] stored = new boolean[Math.toIntExact(lattice.size())];
+                boolean[] stored = CellRefinement.cells(lattice.size());
                 pass.shootRays(lattice.size(), (i, emitter) -> {
                     emitter.point(point.s(), point.t());
                     lattice.aim(i, emitter.ray());

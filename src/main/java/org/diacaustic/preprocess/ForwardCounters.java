@@ -50,7 +50,7 @@ public final class ForwardCounters {
         return intersectionTests;
     }
 
-    /** Paths that ended because they came to what is infinite or not a number: 0 unless something is wrong. */
+    /** Paths that ended, and photons that were left out, for what is infinite or not a number: 0 unless something is wrong. */
     public long nonFinite() {
         return nonFinite;
     }

@@ -63,6 +63,7 @@ public final class ForwardPass {
             }
             plan.preProcessor().run(beam, this);
         }
+        counters.nonFinite += store.rejectedCount();
         return this;
     }
 
@@ -76,9 +77,11 @@ public final class ForwardPass {
     /**
      * Runs a stage of a pre-processor: rays 0 to {@code rays} − 1, in any order. The photons are stored in the order of the
      * rays.
+     *
+     * @throws ForwardPlanException if the rays are more than can be numbered
      */
     public void shootRays(long rays, RaySource source) {
-        int tasks = Math.toIntExact((rays + RAYS_A_TASK - 1) / RAYS_A_TASK);
+        int tasks = tasks(rays, RAYS_A_TASK);
         shootTasks(tasks, (task, emitter) -> {
             long end = Math.min(rays, (task + 1L) * RAYS_A_TASK);
             for (long ray = (long) task * RAYS_A_TASK;
@@ -87,6 +90,19 @@ public final class ForwardPass {
                 source.shoot(ray, emitter);
             }
         });
+    }
+
+    /**
+     * The tasks that so many rays are cut into.
+     *
+     * @throws ForwardPlanException if they are more than can be numbered
+     */
+    static int tasks(long rays, int raysATask) {
+        long tasks = (rays + raysATask - 1) / raysATask;
+        if (tasks > Integer.MAX_VALUE) {
+            throw new ForwardPlanException(rays + " light rays at once are more than can be numbered; give fewer");
+        }
+        return (int) tasks;
     }
 
     /** Runs a stage of a pre-processor whose tasks are cut by the pre-processor itself. */

@@ -17,6 +17,7 @@ import org.diacaustic.scene.MediumLocator;
 import org.diacaustic.scene.MediumStack;
 import org.diacaustic.scene.Scene;
 import org.diacaustic.scene.SceneIndex;
+import org.diacaustic.scene.SceneObject;
 import org.diacaustic.scene.Settings;
 import org.diacaustic.transport.PathRules;
 
@@ -65,6 +66,9 @@ public final class ForwardPlanner {
         if (map == MapName.AMBIENT_MAPS) {
             AmbientCharts.requireEnds(index);
         }
+        if (settings.maps().initialHits() > 0) {
+            refuseInitialHitsWithoutEnd();
+        }
         List<Target> targets = targets();
         List<Beam> beams = new ArrayList<>();
         double powerUnit = 0;
@@ -112,16 +116,37 @@ public final class ForwardPlanner {
         List<Target> targets = new ArrayList<>();
         EmissionWindows windows = new EmissionWindows(scene, settings);
         for (Light light : emitters(scene)) {
+            if (light.spread() == Light.Spread.PARALLEL) {
+                refuseEndless(light);
+            }
             for (EmissionWindow window : windows.of(light)) {
-                if (light.spread() == Light.Spread.PARALLEL && !window.bounds().isFinite()) {
-                    throw new ForwardPlanException("light " + (scene.lights().indexOf(light) + 1)
-                            + " has parallel rays and " + names(window)
-                            + " has no bounds, so there is no end to what they meet; give it bounds, as a polygon has");
-                }
                 targets.add(new Target(light, window));
             }
         }
         return targets;
+    }
+
+    private void refuseInitialHitsWithoutEnd() {
+        for (SceneObject object : scene.objects()) {
+            Bounds whole = object.shape().bounds();
+            if (object.material().isTransparent() && !whole.isEmpty() && !whole.isFinite()) {
+                throw new ForwardPlanException(
+                        "'" + object.name()
+                                + "' has no end, and no areas that could let 'initial-hits' through; give it bounds, or leave those out");
+            }
+        }
+    }
+
+    /** Refuses parallel light where it would have to be followed from surfaces that have no end. */
+    private void refuseEndless(Light light) {
+        for (SceneObject object : scene.objects()) {
+            Bounds whole = object.shape().bounds();
+            if (!whole.isEmpty() && !whole.isFinite() && EmissionWindows.isSpecular(object, forward)) {
+                throw new ForwardPlanException("light " + (scene.lights().indexOf(light) + 1)
+                        + " has parallel rays and '" + object.name()
+                        + "' has no bounds, so there is no end to what they meet; give it bounds, as a polygon has");
+            }
+        }
     }
 
     private Beam beam(int number, Target target, long rays) {

@@ -53,6 +53,11 @@ public final class LightEmitter {
         return tracer.shoot(beam, point, ray, share, true);
     }
 
+    /** Whether the pass is to end, and rays come to nothing from now on: who sends very many in one task asks for it. */
+    public boolean isStopped() {
+        return tracer.isStopped();
+    }
+
     /** As {@link #shoot}, but only looks: nothing is stored, and the ray does not count as light sent out. */
     public int probe() {
         return tracer.shoot(beam, point, ray, 1, false);

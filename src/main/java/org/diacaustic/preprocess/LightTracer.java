@@ -5,6 +5,7 @@ import org.diacaustic.light.LightPoint;
 import org.diacaustic.map.InitialHits;
 import org.diacaustic.map.PhotonSlice;
 import org.diacaustic.map.SurfacePoint;
+import org.diacaustic.math.Ray;
 import org.diacaustic.math.Rgb;
 import org.diacaustic.math.SampleStream;
 import org.diacaustic.parallel.StopSignal;
@@ -22,6 +23,7 @@ final class LightTracer extends PathTracer {
     private final InitialHits initialHits;
 
     private final SampleStream roulette = new SampleStream();
+    private final Ray upstream = new Ray();
     private final SurfacePoint at = new SurfacePoint();
     private final Rgb flux = new Rgb();
     private final Rgb part = new Rgb();
@@ -33,6 +35,12 @@ final class LightTracer extends PathTracer {
     private boolean isStoring;
     private int stored;
 
+    /** The first object whose invisible boundary the ray passed before it was mirrored or refracted, or none. */
+    private int passedFirst;
+
+    /** Whether it passed that where it was aimed. */
+    private boolean isPassedOnTarget;
+
     /** @param initialHits null if all rays are let through */
     LightTracer(ForwardPlan plan, StopSignal stop, InitialHits initialHits) {
         super(plan.index(), plan.rules());
@@ -43,6 +51,10 @@ final class LightTracer extends PathTracer {
 
     ForwardPlan plan() {
         return plan;
+    }
+
+    boolean isStopped() {
+        return stop.isSet();
     }
 
     /** Says where what the next rays bring is kept, and where it is counted. */
@@ -58,11 +70,15 @@ final class LightTracer extends PathTracer {
         primary = aimed;
         isStoring = store;
         stored = 0;
+        passedFirst = SceneIndex.NONE;
         beam.light().emit(point, primary.directionX, primary.directionY, primary.directionZ, flux);
         if (plan.isWeighted()) {
             flux.scale(primary.measure * share);
         }
         counters.primaryRays++;
+        if (flux.isBlack() || comesThroughEndless()) {
+            return 0;
+        }
         // From the ray itself, so that it does not matter who sends it, nor at which scale.
         roulette.start(
                 plan.seed(),
@@ -81,6 +97,23 @@ final class LightTracer extends PathTracer {
         return stored;
     }
 
+    /** Whether parallel rays, which come from beyond all bounds, meet something without bounds before they start. */
+    private boolean comesThroughEndless() {
+        for (int object : beam.endlessObjects()) {
+            upstream.set(
+                    primary.originX,
+                    primary.originY,
+                    primary.originZ,
+                    -primary.directionX,
+                    -primary.directionY,
+                    -primary.directionZ);
+            if (plan.index().object(object).shape().occludes(upstream)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** The bits of a number that scaling by a power of two does not change. */
     private static long digits(double value) {
         return Double.doubleToLongBits(value) & 0x800FFFFFFFFFFFFFL;
@@ -94,16 +127,17 @@ final class LightTracer extends PathTracer {
             return true;
         }
         counters.primaryHits++;
-        if (!isOnTarget(object)) {
+        boolean isFirst = passedFirst == SceneIndex.NONE;
+        if (isFirst ? !isOnTarget(object) : !isPassedOnTarget) {
             // Another ray sends this light: the one at what is met first.
             return false;
         }
-        if (!isSpecular()) {
+        if (isFirst && !isSpecular()) {
             bookStart();
             book(EnergyLedger::absorb, throughput.red, throughput.green, throughput.blue);
             return false;
         }
-        if (!beam.window().owns(object)) {
+        if (!beam.window().owns(isFirst ? object : passedFirst)) {
             // The window of that object sends this light.
             return false;
         }
@@ -112,8 +146,21 @@ final class LightTracer extends PathTracer {
             book(EnergyLedger::cut, throughput.red, throughput.green, throughput.blue);
             return false;
         }
-        keepRest(false);
+        if (isFirst) {
+            keepRest(false);
+        } else {
+            land(object, side);
+        }
         return true;
+    }
+
+    /** Shadow rays end at boundaries that light does not see: who meets one first sends what goes through it. */
+    @Override
+    protected void passes(int object) {
+        if (depth == 0 && passedFirst == SceneIndex.NONE) {
+            passedFirst = object;
+            isPassedOnTarget = isOnTarget(object);
+        }
     }
 
     private boolean isOnTarget(int object) {
@@ -130,16 +177,19 @@ final class LightTracer extends PathTracer {
 
     /** Stores what reaches a diffuse surface over a specular one. */
     private void land(int object, int side) {
-        boolean isDiffuse = !surface.diffuse.isBlack();
-        if (isDiffuse) {
+        part.set(flux).multiply(throughput);
+        // No photon without power: it would count among the nearest.
+        boolean isStored = !surface.diffuse.isBlack() && !part.isBlack();
+        if (isStored) {
             stored++;
             if (isStoring) {
                 store(object, side);
             }
         }
-        keepRest(isDiffuse);
+        keepRest(isStored);
     }
 
+    /** Stores {@link #part}. */
     private void store(int object, int side) {
         at.x = hit.x;
         at.y = hit.y;
@@ -150,7 +200,7 @@ final class LightTracer extends PathTracer {
         at.object = object;
         at.front = side > 0;
         double cosine = -(ray.directionX * at.normalX + ray.directionY * at.normalY + ray.directionZ * at.normalZ);
-        part.set(flux).multiply(throughput).scale(depositFactor(cosine));
+        part.scale(depositFactor(cosine));
         photons.add(at, part);
         counters.stored++;
     }

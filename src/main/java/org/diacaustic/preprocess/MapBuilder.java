@@ -58,10 +58,7 @@ public final class MapBuilder {
     }
 
     private IlluminationMap ambientMaps(Camera camera, PhotonStore photons) {
-        ChartSizing sizing = settings.mapColumns() > 0 && settings.mapRows() > 0
-                ? ChartSizing.equal(settings.mapColumns(), settings.mapRows())
-                : CameraSizing.of(plan.index(), camera, photons.size(), AMBIENT_MAP_BYTES);
-        List<AmbientChart> charts = AmbientCharts.of(plan.index(), sizing, workers);
+        List<AmbientChart> charts = AmbientCharts.of(plan.index(), sizing(camera, photons), workers);
         if (workers.stop().isSet()) {
             return null;
         }
@@ -73,6 +70,20 @@ public final class MapBuilder {
                 settings.filtersSides(),
                 settings.interpolatesTexels());
         return AmbientMaps.of(photons, charts, options, workers);
+    }
+
+    /** As given; what is not, as the camera needs it. */
+    private ChartSizing sizing(Camera camera, PhotonStore photons) {
+        int columns = settings.mapColumns();
+        int rows = settings.mapRows();
+        if (columns > 0 && rows > 0) {
+            return ChartSizing.equal(columns, rows);
+        }
+        ChartSizing needed = CameraSizing.of(plan.index(), camera, photons.size(), AMBIENT_MAP_BYTES);
+        return object -> {
+            ChartSize size = needed.of(object);
+            return new ChartSize(columns > 0 ? columns : size.columns(), rows > 0 ? rows : size.rows());
+        };
     }
 
     private IlluminationMap photonMap(PhotonStore photons, int pass) {

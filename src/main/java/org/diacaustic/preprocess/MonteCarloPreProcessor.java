@@ -17,6 +17,9 @@ final class MonteCarloPreProcessor implements PreProcessor {
     private static final int EVEN = 2;
     private static final int BASE_RAYS_A_TASK = 1024;
 
+    /** Rays that look, at most: an array has a place for each. */
+    private static final long MOST_LOOKING = 1 << 29;
+
     @Override
     public String name() {
         return NAME;
@@ -32,7 +35,7 @@ final class MonteCarloPreProcessor implements PreProcessor {
     }
 
     private static void runWeighted(Beam beam, ForwardPass pass) {
-        int base = Math.toIntExact(Math.max(1, orElse(beam.settings().baseRays(), beam.rays() * LOOKING / 8)));
+        int base = looking(beam);
         double[] places = new double[2 * base];
         boolean[] found = new boolean[base];
         pass.shootRays(base, (number, emitter) -> {
@@ -66,6 +69,15 @@ final class MonteCarloPreProcessor implements PreProcessor {
         });
     }
 
+    private static int looking(Beam beam) {
+        long base = Math.max(1, orElse(beam.settings().baseRays(), beam.rays() * LOOKING / 8));
+        if (base > MOST_LOOKING) {
+            throw new ForwardPlanException("preprocessor '" + NAME + "' can look around with " + MOST_LOOKING
+                    + " rays at most, but is to do with " + base + "; give fewer rays or base-rays");
+        }
+        return (int) base;
+    }
+
     /** The solid angle, or the area, that the window has for the middle of the light. */
     private static double measure(Beam beam) {
         LightPoint middle = new LightPoint();
@@ -80,17 +92,16 @@ final class MonteCarloPreProcessor implements PreProcessor {
         long base = orElse(beam.settings().baseRays(), beam.rays());
         long batch = orElse(beam.settings().batchRays(), 1000);
         double spread = beam.settings().batchSpread();
-        int tasks = Math.toIntExact((base + BASE_RAYS_A_TASK - 1) / BASE_RAYS_A_TASK);
-        pass.shootTasks(tasks, (task, emitter) -> {
+        pass.shootTasks(ForwardPass.tasks(base, BASE_RAYS_A_TASK), (task, emitter) -> {
             long end = Math.min(base, (task + 1L) * BASE_RAYS_A_TASK);
-            for (long number = (long) task * BASE_RAYS_A_TASK; number < end; number++) {
+            for (long number = (long) task * BASE_RAYS_A_TASK; number < end && !emitter.isStopped(); number++) {
                 SampleStream random = emitter.random(number);
                 RandomRays.aim(beam, random, emitter);
                 double x = emitter.ray().directionX;
                 double y = emitter.ray().directionY;
                 double z = emitter.ray().directionZ;
                 if (emitter.shoot(1) > 0) {
-                    for (long i = 0; i < batch; i++) {
+                    for (long i = 0; i < batch && !emitter.isStopped(); i++) {
                         emitter.ray()
                                 .setDirection(
                                         x + spread * (2 * random.nextDouble() - 1),

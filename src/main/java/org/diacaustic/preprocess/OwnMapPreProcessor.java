@@ -73,7 +73,7 @@ final class OwnMapPreProcessor implements PreProcessor {
         for (int k = 0; k < lattices.size(); k++) {
             int which = k;
             long lines = lattices.get(k).size();
-            pass.shootTasks(Math.toIntExact((lines + LINES_A_TASK - 1) / LINES_A_TASK), (task, emitter) -> {
+            pass.shootTasks(ForwardPass.tasks(lines, LINES_A_TASK), (task, emitter) -> {
                 SurfaceSight sight = new SurfaceSight(beam, map);
                 LightPoint from = emitter.point(s, t);
                 long first = (long) task * LINES_A_TASK;

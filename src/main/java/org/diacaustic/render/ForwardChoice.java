@@ -78,10 +78,17 @@ final class ForwardChoice {
             throw new PlanException("estimator '" + estimator.label()
                     + "' reads photon maps; ambient-maps are read by density or expected-count");
         }
+        if (maps.mapBlur() % 2 == 0) {
+            throw new PlanException("map-blur must be odd, so that its square has a middle, but is " + maps.mapBlur());
+        }
         Weights weights = forward.weights();
         boolean counts = estimator == EstimatorName.EXPECTED_COUNT;
         if (counts && weights == Weights.SOLID_ANGLE) {
             throw new PlanException("estimator 'expected-count' needs light-weights 'none', but that is 'solid-angle'");
+        }
+        if (!counts && maps.initialHits() > 0) {
+            throw new PlanException("initial-hits let only some of the light through, and estimator '"
+                    + estimator.label() + "' needs all of it: take estimator 'expected-count', or no initial-hits");
         }
         if (!counts && weights == Weights.NONE) {
             throw new PlanException(
@@ -110,6 +117,10 @@ final class ForwardChoice {
         }
         decisions.add(new Decision(
                 "forward pass", false, "light from lamps that is refracted or mirrored onto surfaces", reason));
+        if (forward.passes() > 1) {
+            decisions.add(
+                    new Decision("passes", false, "1 of " + forward.passes(), "there is no forward pass to repeat"));
+        }
         return Optional.empty();
     }
 
@@ -129,6 +140,9 @@ final class ForwardChoice {
         }
         if (!settings.shader().equals(Settings.AUTO)) {
             return "a shader is asked for by name, and no map";
+        }
+        if (!traits.isDiffuse()) {
+            return "nothing is diffuse, so light that lands cannot be seen";
         }
         boolean straight = traits.refracting().isEmpty()
                 && (!forward.followsReflections() || traits.mirroring().isEmpty());
@@ -172,6 +186,9 @@ final class ForwardChoice {
                 forward.aimsAtSpecular()
                         ? "only what refracts or mirrors needs light rays"
                         : "asked for the whole scene"));
+        if (plan.passes() > 1) {
+            decisions.add(new Decision("passes", true, plan.passes() + " pictures, averaged", "asked for"));
+        }
         boolean mapChosen = maps.map() == MapName.AUTO;
         decisions.add(new Decision(
                 "map",

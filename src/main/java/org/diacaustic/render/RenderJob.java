@@ -11,6 +11,7 @@ import org.diacaustic.parallel.StopSignal;
 import org.diacaustic.parallel.Workers;
 import org.diacaustic.preprocess.ForwardPass;
 import org.diacaustic.preprocess.ForwardPlan;
+import org.diacaustic.preprocess.ForwardPlanException;
 import org.diacaustic.preprocess.ForwardTotals;
 import org.diacaustic.preprocess.MapBuilder;
 
@@ -31,13 +32,17 @@ public final class RenderJob {
     /**
      * @param threads at least 1
      * @param listener hears of every finished part: tiles, and equal parts of forward passes
-     * @throws ResourceLimitException if the picture does not fit in memory
+     * @throws ResourceLimitException if the picture does not fit in memory, or the passes are too many to be counted
      */
     public RenderJob(RenderPlan plan, int threads, ProgressListener listener) {
         if (threads < 1) {
             throw new IllegalArgumentException("a render needs at least 1 thread, but has " + threads);
         }
         plan.requireMemory();
+        if ((long) plan.passes() * plan.tilesAcross() * plan.tilesDown() > Integer.MAX_VALUE) {
+            throw new ResourceLimitException(
+                    plan.passes() + " passes over a picture of this size are too many to be counted");
+        }
         this.plan = plan;
         this.threads = plan.forward().isPresent() ? threads : Math.min(threads, plan.tilesAcross() * plan.tilesDown());
         this.listener = listener;
@@ -106,6 +111,8 @@ public final class RenderJob {
                 new ForwardPass(forwardPlan, pass, workers, part -> progress(before + (int) (part * forwardParts())));
         try {
             forward.run();
+        } catch (ForwardPlanException refused) {
+            throw new PlanException(refused.getMessage());
         } catch (PhotonCapacityException full) {
             throw new ResourceLimitException(full.getMessage() + ": give fewer rays, or Java more memory (-Xmx)");
         }
@@ -144,7 +151,8 @@ public final class RenderJob {
         double eyeRays = (double) plan.scene().camera().width()
                 * plan.scene().camera().height()
                 * plan.settings().samples();
-        return (int) Math.min(1 << 20, Math.rint(tileCount() * (lightRays / eyeRays)));
+        int most = Math.min(1 << 20, Integer.MAX_VALUE / plan.passes() - tileCount());
+        return (int) Math.min(most, Math.rint(tileCount() * (lightRays / eyeRays)));
     }
 
     /** Tells the listener of every part up to this number. */

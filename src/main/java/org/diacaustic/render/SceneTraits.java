@@ -19,6 +19,11 @@ final class SceneTraits {
         return materials().anyMatch(Material::isTransparent);
     }
 
+    /** Whether anything shows light that lands on it. */
+    boolean isDiffuse() {
+        return materials().anyMatch(Material::isDiffuse);
+    }
+
     /** Names of the transparent objects whose inside and outside differ in index: what bends light. */
     List<String> refracting() {
         return scene.objects().stream()

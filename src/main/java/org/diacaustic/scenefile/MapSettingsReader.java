@@ -13,6 +13,9 @@ final class MapSettingsReader {
             .with("none", false)
             .map();
 
+    /** Texels along the side of a blur; a wider one would be better served by larger texels. */
+    private static final int WIDEST_BLUR = 255;
+
     private MapSettingsReader() {}
 
     /** @param start what holds where nothing is said */
@@ -27,7 +30,7 @@ final class MapSettingsReader {
         in.number("expected-count").above(0).optional().ifPresent(maps::expectedCount);
         in.integer("map-columns").atLeast(1).optional().ifPresent(maps::mapColumns);
         in.integer("map-rows").atLeast(1).optional().ifPresent(maps::mapRows);
-        in.integer("map-blur").atLeast(1).optional().ifPresent(maps::mapBlur);
+        in.integer("map-blur").atLeast(1).atMost(WIDEST_BLUR).optional().ifPresent(maps::mapBlur);
         in.flag("map-interpolation").optional().ifPresent(maps::interpolateTexels);
         in.integer("initial-hits").atLeast(0).optional().ifPresent(maps::initialHits);
         in.integer("initial-hit-columns").atLeast(1).optional().ifPresent(maps::initialHitColumns);

@@ -96,6 +96,12 @@ public abstract class PathTracer {
      */
     protected abstract boolean arrive(int object, int side);
 
+    /**
+     * The path went through a boundary that another medium's priority makes invisible: it does not turn, nor become weaker.
+     * {@link #pathLength} is where.
+     */
+    protected void passes(int object) {}
+
     /** Fractions of the throughput, per colour, that remain when a medium has absorbed the rest on the way. */
     protected void absorbed(double red, double green, double blue) {}
 
@@ -172,6 +178,7 @@ public abstract class PathTracer {
         if (media.isVisible()) {
             scatter(object, side, media.near().indexOfRefraction(), media.far().indexOfRefraction());
         } else {
+            passes(object);
             media.cross(object, side > 0);
             goStraightOn(object, hit.touchingDistance(alongNormal(hit)));
         }

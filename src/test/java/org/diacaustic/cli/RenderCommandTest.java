@@ -65,7 +65,7 @@ class RenderCommandTest {
                     --map ambient-maps  | diacaustic: 'floor' has no end and cannot have an ambient map of its own; use 'map: photon-map' instead
                     --preprocessor cubic | diacaustic: unknown preprocessor 'cubic'; known are auto, none, random, monte-carlo, planar, cube, adaptive, own-map
                     --map caustic-map   | -D map: settings.map: expected one of auto, none, ambient-maps, photon-map, found 'caustic-map'
-                    --rays 0            | -D rays: settings.rays: expected a whole number of at least 1, found '0'
+                    --rays 0            | -D rays: settings.rays: expected a whole number from 1 to 1000000000000, found '0'
                     --sizes 3x3         | diacaustic render: Unknown options: '--sizes', '3x3'; did you mean '--size'?
                     -D fresnl=true      | -D fresnl: settings.fresnl: unknown key; did you mean 'fresnel'?
                     -D fresnel=yes      | -D fresnel: settings.fresnel: expected true or false, found 'yes', which is text in YAML 1.2

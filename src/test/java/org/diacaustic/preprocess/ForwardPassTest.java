@@ -127,6 +127,29 @@ class ForwardPassTest {
         assertThat(gap(ledger)).isLessThan(1e-12);
     }
 
+    /**
+     * Lamp and stone in a clear box that dominates a ball around the stone: the ball's boundary is invisible, but shadow rays
+     * end there, so the pass must bring all that the stone gets: 2π(1 − √(1 − (0.5 ÷ 3)²)) = 0.08788.
+     */
+    @ParameterizedTest
+    @ValueSource(strings = {"random", "monte-carlo", "cube", "own-map", "adaptive"})
+    void run_givenInvisibleBoundaryBeforeStone_bringsItsLight(String preProcessor) {
+        Material dominating = Material.builder()
+                .transparency(Color.WHITE)
+                .inside(new Medium(1, Color.BLACK, 1))
+                .build();
+        Scene scene = Scene.builder()
+                .camera(Forward.camera())
+                .light(new PointLight(new Vector3(0, 3, 0), Color.WHITE))
+                .object("box", new Box(new Vector3(-5, -5, -5), new Vector3(5, 5, 5)), dominating)
+                .object("hidden", new Sphere(Vector3.ZERO, 1), Forward.clear(1.5, 1))
+                .object("stone", new Sphere(Vector3.ZERO, 0.5), Forward.MATT)
+                .build();
+        ForwardPass pass = Forward.run(scene, PHYSICAL, preProcessor, 200_000);
+        assertThat(power(pass.photons())).isCloseTo(0.08788, within(0.005));
+        assertThat(gap(pass.ledger())).isLessThan(1e-12);
+    }
+
     /** Two boxes of glass in each other's windows: aimed or not, the floor gets the same. */
     @Test
     void run_givenWindowsThatOverlap_emitsNothingTwice() {
@@ -220,6 +243,48 @@ class ForwardPassTest {
                                 + " or close to them; take cube, adaptive, random or monte-carlo");
     }
 
+    /** The sun is under the horizon: the endless ground keeps its light from the ball high above. */
+    @ParameterizedTest
+    @ValueSource(strings = {"random", "planar", "own-map"})
+    void run_givenParallelLightBehindEndlessGround_bringsNothing(String preProcessor) {
+        ForwardPass night = Forward.run(highBall(new Vector3(0.2, 1, 0)), PHYSICAL, preProcessor, 2000);
+        assertThat(night.ledger().emitted()).isZero();
+        assertThat(night.photons().size()).isZero();
+        ForwardPass day = Forward.run(highBall(new Vector3(0.2, -1, 0)), PHYSICAL, preProcessor, 2000);
+        assertThat(day.photons().size()).isPositive();
+    }
+
+    private static Scene highBall(Vector3 direction) {
+        return Scene.builder()
+                .camera(Forward.camera())
+                .light(new DirectionalLight(direction, Color.WHITE, 0))
+                .object("ground", new Plane(Vector3.ZERO, Vector3.UNIT_Y), Forward.MATT)
+                .object("glass", new Sphere(new Vector3(0, 20, 0), 1), Forward.clear(1.5, 1))
+                .build();
+    }
+
+    /** Rays that the lamp sends nothing along, and red light through green glass: photons without power. */
+    @Test
+    void run_givenNoPower_storesNoPhoton() {
+        Light spot = new SpotLight(new Vector3(0, 7, 0), new Vector3(0, -1, 0), 1, 1, new Color(1, 0, 0), NATURE, 0);
+        PhotonStore photons = Forward.run(Forward.ballsOverFloor(spot), PHYSICAL, "cube", 20_000)
+                .photons();
+        Rgb power = new Rgb();
+        for (int i = 0; i < photons.size(); i++) {
+            photons.power(i, power);
+            assertThat(power.red).isPositive();
+        }
+        assertThat(photons.size()).isPositive();
+        Material green = Material.builder().transparency(new Color(0, 1, 0)).build();
+        Scene scene = Scene.builder()
+                .camera(Forward.camera())
+                .light(new PointLight(new Vector3(0, 7, 0), new Color(1, 0, 0)))
+                .object("floor", new Plane(Vector3.ZERO, Vector3.UNIT_Y), Forward.MATT)
+                .object("pane", Forward.square(2, 1), green)
+                .build();
+        assertThat(Forward.run(scene, PHYSICAL, "cube", 1000).photons().size()).isZero();
+    }
+
     @Test
     void plan_givenParallelLightAndEndlessWater_isRefusedInASentence() {
         Scene scene = Scene.builder()
@@ -230,6 +295,24 @@ class ForwardPassTest {
         assertThatThrownBy(() -> Forward.plan(scene, PHYSICAL, "cube", 100))
                 .isInstanceOf(ForwardPlanException.class)
                 .hasMessageContaining("'sea' has no bounds");
+        assertThatThrownBy(() -> Forward.plan(scene, Forward.settings(s -> s.aimAtSpecular(false)), "cube", 100))
+                .isInstanceOf(ForwardPlanException.class)
+                .hasMessageContaining("'sea' has no bounds");
+    }
+
+    @Test
+    void plan_givenInitialHitsAndEndlessWater_isRefusedInASentence() {
+        Scene scene = Scene.builder()
+                .camera(Forward.camera())
+                .light(new PointLight(new Vector3(0, 7, 0), Color.WHITE))
+                .object("sea", new Plane(Vector3.ZERO, Vector3.UNIT_Y), Forward.clear(1.33, 1))
+                .build();
+        Settings settings = PHYSICAL.toBuilder()
+                .maps(PHYSICAL.maps().toBuilder().initialHits(1).build())
+                .build();
+        assertThatThrownBy(() -> Forward.plan(scene, settings, "cube", 100))
+                .isInstanceOf(ForwardPlanException.class)
+                .hasMessageContaining("'sea' has no end");
     }
 
     /** A mirror throws the lamp's light onto a wall; with mirrored light left out nothing arrives. */

@@ -7,6 +7,7 @@ import static org.diacaustic.render.Eye.matt;
 import static org.diacaustic.render.Eye.mirror;
 import static org.diacaustic.render.Eye.v;
 
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.UnaryOperator;
 import org.diacaustic.image.LinearImage;
 import org.diacaustic.light.Light;
@@ -88,6 +89,50 @@ class ForwardChoiceTest {
     void plan_givenClearObjectsThatDoNotBend_takesStraightShadowRays() {
         assertLeftOut(lit(clear(1)), PHYSICAL, "straight shadow rays are exact");
         assertThat(RenderPlan.of(lit(clear(1)), PHYSICAL).shader().name()).isEqualTo("non-refractive");
+    }
+
+    @Test
+    void plan_givenNothingDiffuse_leavesTheForwardPassOut() {
+        Scene scene = Scene.builder()
+                .camera(Camera.builder()
+                        .from(v(0, 4, -6))
+                        .to(v(0, 0, 0))
+                        .size(24, 24)
+                        .build())
+                .light(new PointLight(v(0, 7, 0), Color.WHITE))
+                .object("ball", new Sphere(v(0, 1.5, 0), 1), clear(1.5).build())
+                .build();
+        assertLeftOut(scene, PHYSICAL, "nothing is diffuse, so light that lands cannot be seen");
+    }
+
+    /** Light that initial hits discard would be missing from every estimate but that of the thesis. */
+    @Test
+    void plan_givenInitialHitsAndWeightedEstimator_isRefused() {
+        assertThatThrownBy(() -> RenderPlan.of(lit(clear(1.5)), maps(maps -> maps.initialHits(1))))
+                .isInstanceOf(PlanException.class)
+                .hasMessageContaining("initial-hits");
+    }
+
+    @Test
+    void plan_givenPassesAndNoForwardPass_saysThatOneIsEnough() {
+        RenderPlan plan = RenderPlan.of(lit(matt(0.5)), forward(forward -> forward.passes(5)));
+        assertThat(plan.passes()).isEqualTo(1);
+        assertThat(plan.decisions()).anyMatch(decision -> decision.part().equals("passes") && !decision.used());
+    }
+
+    /** 65,536 passes over 24 × 24 pixels, of 2 × 2 tiles and some thousand light rays each, are counted without overflow. */
+    @Test
+    void run_givenVeryManyPasses_reportsAPositiveTotal() {
+        RenderPlan plan = RenderPlan.of(
+                lit(clear(1.5)), forward(forward -> forward.passes(65_536).rays(10_000_000)));
+        AtomicInteger total = new AtomicInteger();
+        RenderJob[] job = new RenderJob[1];
+        job[0] = new RenderJob(plan, 1, (done, of) -> {
+            total.set(of);
+            job[0].cancel();
+        });
+        job[0].run();
+        assertThat(total.get()).isPositive();
     }
 
     @Test
