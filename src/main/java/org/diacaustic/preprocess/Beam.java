@@ -11,6 +11,7 @@ import org.diacaustic.math.Vector3;
 import org.diacaustic.scene.ForwardSettings;
 import org.diacaustic.scene.MediumStack;
 import org.diacaustic.scene.SceneIndex;
+import org.diacaustic.shape.Shape;
 
 /**
  * What a pre-processor is given to choose rays in: one light, one window that it shines into, and a number of rays. Immutable
@@ -60,11 +61,13 @@ public final class Beam {
 
     private static int[] endlessObjects(SceneIndex scene) {
         return IntStream.range(0, scene.size())
-                .filter(i -> {
-                    Bounds bounds = scene.object(i).shape().bounds();
-                    return !bounds.isEmpty() && !bounds.isFinite();
-                })
+                .filter(i -> isEndless(scene.object(i).shape()))
                 .toArray();
+    }
+
+    /** Whether a shape has points, but no bounds. */
+    static boolean isEndless(Shape shape) {
+        return !shape.bounds().isEmpty() && !shape.bounds().isFinite();
     }
 
     private EmissionChart uniformChart() {
@@ -165,6 +168,14 @@ public final class Beam {
     public Optional<String> planeRefusal(LightPoint from) {
         if (!window.bounds().isFinite()) {
             return Optional.of(aim + " has no bounds");
+        }
+        Optional<String> endless = specularObjects()
+                .mapToObj(scene::object)
+                .filter(object -> isEndless(object.shape()))
+                .map(object -> "'" + object.name() + "' has no bounds")
+                .findFirst();
+        if (endless.isPresent()) {
+            return endless;
         }
         boolean covers = isParallel()
                 || (settings.aimsAtSpecular()

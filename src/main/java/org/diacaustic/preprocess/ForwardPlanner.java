@@ -128,8 +128,7 @@ public final class ForwardPlanner {
 
     private void refuseInitialHitsWithoutEnd() {
         for (SceneObject object : scene.objects()) {
-            Bounds whole = object.shape().bounds();
-            if (object.material().isTransparent() && !whole.isEmpty() && !whole.isFinite()) {
+            if (object.material().isTransparent() && Beam.isEndless(object.shape())) {
                 throw new ForwardPlanException(
                         "'" + object.name()
                                 + "' has no end, and no areas that could let 'initial-hits' through; give it bounds, or leave those out");
@@ -140,8 +139,7 @@ public final class ForwardPlanner {
     /** Refuses parallel light where it would have to be followed from surfaces that have no end. */
     private void refuseEndless(Light light) {
         for (SceneObject object : scene.objects()) {
-            Bounds whole = object.shape().bounds();
-            if (!whole.isEmpty() && !whole.isFinite() && EmissionWindows.isSpecular(object, forward)) {
+            if (EmissionWindows.isSpecular(object, forward) && Beam.isEndless(object.shape())) {
                 throw new ForwardPlanException("light " + (scene.lights().indexOf(light) + 1)
                         + " has parallel rays and '" + object.name()
                         + "' has no bounds, so there is no end to what they meet; give it bounds, as a polygon has");

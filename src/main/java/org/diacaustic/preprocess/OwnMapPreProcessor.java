@@ -40,8 +40,7 @@ final class OwnMapPreProcessor implements PreProcessor {
     public Optional<String> refusal(Beam beam) {
         return beam.specularObjects()
                 .mapToObj(beam.scene()::object)
-                .filter(object -> !object.shape().bounds().isEmpty()
-                        && !object.shape().bounds().isFinite())
+                .filter(object -> Beam.isEndless(object.shape()))
                 .map(object -> "'" + object.name() + "' has no bounds")
                 .findFirst();
     }

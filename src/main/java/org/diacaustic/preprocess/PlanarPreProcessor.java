@@ -22,6 +22,11 @@ final class PlanarPreProcessor implements PreProcessor {
 
     @Override
     public void run(Beam beam, ForwardPass pass) {
-        CubePreProcessor.shoot(beam, pass, from -> List.of(beam.planeChart(from)));
+        CubePreProcessor.shoot(beam, pass, from -> charts(beam, from));
+    }
+
+    /** Of a lamp that stands outside, single points may still have no plane before the window: those have the cube. */
+    private static List<EmissionChart> charts(Beam beam, LightPoint from) {
+        return beam.planeRefusal(from).isPresent() ? beam.cubeCharts(from) : List.of(beam.planeChart(from));
     }
 }

@@ -285,6 +285,30 @@ class ForwardPassTest {
         assertThat(Forward.run(scene, PHYSICAL, "cube", 1000).photons().size()).isZero();
     }
 
+    /** The middle of the lamp is above the ball's box, its lower edge in it: what it sends is there from every point. */
+    @Test
+    void run_givenPlanarAndLampThatReachesIntoTheWindow_sendsAllItsLight() {
+        Scene scene = Forward.ballsOverFloor(
+                FlatLight.disc(new Vector3(1.25, 3, 0.9), new Vector3(-1, 0.2, 0), 1.5, Color.WHITE, NATURE, 256));
+        double expected = power(Forward.run(scene, PHYSICAL, "cube", 100_000).photons());
+        double planar = power(Forward.run(scene, PHYSICAL, "planar", 100_000).photons());
+        assertThat(planar).isCloseTo(expected, within(0.03 * expected));
+    }
+
+    /** A plane before what has bounds would leave out the light that goes to the sea beside it. */
+    @Test
+    void plan_givenPlanarAtTheWholeSceneAndEndlessWater_isRefusedInASentence() {
+        Scene scene = Scene.builder()
+                .camera(Forward.camera())
+                .light(new PointLight(new Vector3(0, 7, 0), Color.WHITE))
+                .object("sea", new Plane(new Vector3(0, 1, 0), Vector3.UNIT_Y), Forward.clear(1.33, 1))
+                .object("floor", Forward.square(0, 1), Forward.MATT)
+                .build();
+        assertThatThrownBy(() -> Forward.plan(scene, Forward.settings(s -> s.aimAtSpecular(false)), "planar", 100))
+                .isInstanceOf(ForwardPlanException.class)
+                .hasMessageContaining("'sea' has no bounds");
+    }
+
     @Test
     void plan_givenParallelLightAndEndlessWater_isRefusedInASentence() {
         Scene scene = Scene.builder()
