@@ -13,6 +13,7 @@ public sealed interface Estimator {
     record Density(double radius, Kernel kernel) implements Estimator {
         public Density {
             requirePositive("gather radius", radius);
+            requirePositive("square of a gather radius", radius * radius);
         }
     }
 

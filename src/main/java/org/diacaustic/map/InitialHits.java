@@ -1,6 +1,5 @@
 package org.diacaustic.map;
 
-import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -42,14 +41,5 @@ public final class InitialHits {
         }
         admitted[object][cell]++;
         return true;
-    }
-
-    /** Forgets all rays: before every light. */
-    public void reset() {
-        for (int[] cells : admitted) {
-            if (cells != null) {
-                Arrays.fill(cells, 0);
-            }
-        }
     }
 }

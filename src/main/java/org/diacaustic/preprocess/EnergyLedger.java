@@ -50,7 +50,10 @@ public final class EnergyLedger {
         sum.add(flux.blue);
     }
 
-    /** Sent out by the lights. */
+    /**
+     * Sent out by the light rays that counted. How much light goes past everything or meets only matt surfaces depends on where
+     * rays are aimed, so compare it with the other sums, not between pre-processors.
+     */
     public double emitted() {
         return emitted.value();
     }

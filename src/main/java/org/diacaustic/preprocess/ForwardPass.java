@@ -17,7 +17,8 @@ import org.diacaustic.parallel.Workers;
  */
 public final class ForwardPass {
     private static final int RAYS_A_TASK = 4096;
-    private static final int LAST_STAGE = 0xFFFFFF;
+    private static final int LAST_STAGE = Integer.MAX_VALUE;
+    private static final int TASKS_A_ROUND = 1024;
 
     private final ForwardPlan plan;
     private final int pass;
@@ -108,6 +109,13 @@ public final class ForwardPass {
     /** Runs a stage of a pre-processor whose tasks are cut by the pre-processor itself. */
     public void shootTasks(int tasks, Body body) {
         long streams = streams(stage.getAndIncrement());
+        for (int first = 0; first < tasks && !workers.stop().isSet(); first += TASKS_A_ROUND) {
+            shootRound(first, Math.min(TASKS_A_ROUND, tasks - first), streams, body);
+        }
+    }
+
+    /** Runs some of a stage's tasks, and puts together what they brought, so that it is not kept apart for long. */
+    private void shootRound(int first, int tasks, long streams, Body body) {
         PhotonSlice[] slices = new PhotonSlice[tasks];
         EnergyLedger[] ledgers = new EnergyLedger[tasks];
         ForwardCounters[] counts = new ForwardCounters[tasks];
@@ -119,7 +127,7 @@ public final class ForwardPass {
                 ledgers[task] = new EnergyLedger();
                 counts[task] = new ForwardCounters();
                 tracer.startTask(slices[task], ledgers[task], counts[task]);
-                body.run(task, emitter);
+                body.run(first + task, emitter);
                 long done = raysDone.addAndGet(counts[task].primaryRays);
                 progress.accept(Math.min(1, (double) done / raysPlanned));
             };
@@ -137,7 +145,8 @@ public final class ForwardPass {
     }
 
     private long streams(int ofStage) {
-        return (pass + 1L) << 40 | (long) beam.number() << 24 | ofStage;
+        // Far apart for any numbers of passes, beams and stages.
+        return (((pass + 1L) * 0x9E3779B97F4A7C15L + beam.number()) * 0xD1B54A32D192ED03L) + ofStage;
     }
 
     /** Whether rays carry flux; otherwise each carries as much as any other. */

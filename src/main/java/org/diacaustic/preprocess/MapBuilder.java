@@ -37,6 +37,8 @@ public final class MapBuilder {
     private final MapSettings settings;
     private final Workers workers;
     private double firstRadius;
+    /** Of the first pass, for all; null before. */
+    private List<AmbientChart> charts;
 
     /** @param plan of the passes whose photons are to be kept */
     public MapBuilder(ForwardPlan plan, Workers workers) {
@@ -58,7 +60,9 @@ public final class MapBuilder {
     }
 
     private IlluminationMap ambientMaps(Camera camera, PhotonStore photons) {
-        List<AmbientChart> charts = AmbientCharts.of(plan.index(), sizing(camera, photons), workers);
+        if (charts == null) {
+            charts = AmbientCharts.of(plan.index(), sizing(camera, photons), workers);
+        }
         if (workers.stop().isSet()) {
             return null;
         }

@@ -177,8 +177,8 @@ final class ForwardChoice {
                 ? "asked for"
                 : name.equals("planar")
                         ? "a lattice is smoother than random rays, and every light stands outside of what it is aimed at"
-                        : "a lattice is smoother than random rays, and a light stands among what it is aimed at";
-        decisions.add(new Decision("preprocessor", true, name + ", " + plan.rays() + " light rays", why));
+                        : "a lattice is smoother than random rays, and no plane stands before all that light is aimed at";
+        decisions.add(new Decision("preprocessor", true, name + ", " + howMany(plan), why));
         decisions.add(new Decision(
                 "emission windows",
                 forward.aimsAtSpecular(),
@@ -195,6 +195,13 @@ final class ForwardChoice {
                 true,
                 plan.map().label() + ", " + plan.estimator().label(),
                 mapChosen ? "photons need no map on their objects" : "asked for"));
+        if (!forward.followsReflections() && !traits.mirroring().isEmpty()) {
+            decisions.add(new Decision(
+                    "mirrored light",
+                    false,
+                    "what " + String.join(", ", traits.mirroring()) + " mirrors onto surfaces",
+                    "light-reflections is off"));
+        }
         List<String> dark = scene.lights().stream()
                 .filter(light -> light.spread() == Light.Spread.NONE)
                 .map(light -> "light " + (scene.lights().indexOf(light) + 1))
@@ -203,6 +210,18 @@ final class ForwardChoice {
             decisions.add(new Decision(
                     "light rays", false, "rays of " + String.join(", ", dark), "it sends out no light rays"));
         }
+    }
+
+    /** How many rays, or what the settings say instead. */
+    private String howMany(ForwardPlan plan) {
+        String name = plan.preProcessor().name();
+        if (forward.latticeSize() > 0 && !name.equals("random") && !name.equals("monte-carlo")) {
+            return "lattices of " + forward.latticeSize() + " x " + forward.latticeSize();
+        }
+        if (forward.baseRays() > 0 && name.equals("monte-carlo")) {
+            return forward.baseRays() + " light rays that look, and batches";
+        }
+        return plan.rays() + " light rays";
     }
 
     private static String aims(ForwardPlan plan) {

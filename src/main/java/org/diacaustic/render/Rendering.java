@@ -1,5 +1,7 @@
 package org.diacaustic.render;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import org.diacaustic.image.LinearImage;
 import org.diacaustic.preprocess.ForwardTotals;
@@ -29,13 +31,18 @@ public record Rendering(
         return tilesDone == tilesTotal;
     }
 
-    /** How many samples were infinite or not a number, and where the first was; nothing if all was well. */
+    /** How much was infinite or not a number, and where the first of it was; nothing if all was well. */
     public Optional<String> nonFiniteReport() {
-        if (counters.nonFiniteSamples() == 0) {
-            return Optional.empty();
+        List<String> found = new ArrayList<>();
+        if (counters.nonFiniteSamples() > 0) {
+            long pixel = counters.firstNonFinitePixel;
+            found.add(counters.nonFiniteSamples() + " samples were infinite or not a number and are left out, the"
+                    + " first at pixel " + pixel % image.width() + ", " + pixel / image.width());
         }
-        long pixel = counters.firstNonFinitePixel;
-        return Optional.of(counters.nonFiniteSamples() + " samples were infinite or not a number and are left out, the"
-                + " first at pixel " + pixel % image.width() + ", " + pixel / image.width());
+        if (forward.counters().nonFinite() > 0) {
+            found.add(
+                    forward.counters().nonFinite() + " light rays came to what is infinite or not a number, and ended");
+        }
+        return found.isEmpty() ? Optional.empty() : Optional.of(String.join("; ", found));
     }
 }

@@ -29,7 +29,7 @@ public final class MapSettings {
         return values.estimator;
     }
 
-    /** Whether light that landed on the other side of a surface, or on one at an angle, is left out; not so in the thesis (4.8). */
+    /** Whether light that landed on the other side of a surface, or on one at an angle, is left out; it was not in the thesis (4.8). */
     public boolean filtersSides() {
         return values.filterSides;
     }
@@ -69,7 +69,7 @@ public final class MapSettings {
         return values.mapBlur;
     }
 
-    /** Whether irradiance between the middles of texels is interpolated; not so in the thesis. */
+    /** Whether irradiance between the middles of texels is interpolated; it was not in the thesis. */
     public boolean interpolatesTexels() {
         return values.interpolateTexels;
     }
@@ -123,16 +123,6 @@ public final class MapSettings {
             initialHits = other.initialHits;
             initialHitColumns = other.initialHitColumns;
             initialHitRows = other.initialHitRows;
-        }
-
-        /** Switches everything to the thesis' ways: see the notes at each. */
-        Builder thesis() {
-            estimator = EstimatorName.EXPECTED_COUNT;
-            gatherCount = 12;
-            filterSides = false;
-            kernel = KernelName.CONSTANT;
-            interpolateTexels = false;
-            return this;
         }
 
         public Builder map(MapName value) {

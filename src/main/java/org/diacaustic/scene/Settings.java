@@ -168,7 +168,6 @@ public final class Settings {
             clamps = true;
             usesListOrder = true;
             forward = forward.toBuilder().thesis().build();
-            maps = maps.toBuilder().thesis().build();
             return this;
         }
 

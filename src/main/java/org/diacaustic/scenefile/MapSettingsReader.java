@@ -25,7 +25,7 @@ final class MapSettingsReader {
         in.choice("estimator", EstimatorName.class).optional().ifPresent(maps::estimator);
         in.choice("filter", FILTERS).optional().ifPresent(maps::filterSides);
         in.choice("kernel", KernelName.class).optional().ifPresent(maps::kernel);
-        in.number("gather-radius").above(0).optional().ifPresent(maps::gatherRadius);
+        in.number("gather-radius").atLeast(1e-150).atMost(1e150).optional().ifPresent(maps::gatherRadius);
         in.integer("gather-count").atLeast(2).optional().ifPresent(maps::gatherCount);
         in.number("expected-count").above(0).optional().ifPresent(maps::expectedCount);
         in.integer("map-columns").atLeast(1).optional().ifPresent(maps::mapColumns);

@@ -1,5 +1,6 @@
 package org.diacaustic.study;
 
+import org.diacaustic.scene.EstimatorName;
 import org.diacaustic.scene.ForwardSettings;
 import org.diacaustic.scene.MapName;
 import org.diacaustic.scene.MapSettings;
@@ -48,7 +49,7 @@ record ThesisParameters(int planarSize, int hitColumns, int hitRows, double gath
         ThesisParameters parameters = of(experiment.scene());
         return settings.shader(NonTransparentShader.NAME)
                 .forward(parameters.forward(experiment.method(), thesis.forward()))
-                .maps(parameters.maps(experiment, thesis.maps()))
+                .maps(parameters.maps(experiment))
                 .build();
     }
 
@@ -64,9 +65,12 @@ record ThesisParameters(int planarSize, int hitColumns, int hitRows, double gath
         };
     }
 
-    private MapSettings maps(Experiment experiment, MapSettings thesis) {
-        MapSettings.Builder maps =
-                thesis.toBuilder().map(MapName.valueOf(experiment.map().name()));
+    private MapSettings maps(Experiment experiment) {
+        MapSettings.Builder maps = MapSettings.builder()
+                .map(MapName.valueOf(experiment.map().name()))
+                .estimator(EstimatorName.EXPECTED_COUNT)
+                .filterSides(false)
+                .interpolateTexels(false);
         return experiment.map() == MapKind.PHOTON_MAP
                 ? maps.gatherRadius(gatherRadius)
                         .expectedCount(expectedCount(experiment))

@@ -58,15 +58,6 @@ class InitialHitsTest {
     }
 
     @Test
-    void reset_givenAFullCell_admitsAgain() {
-        InitialHits hits = onSheet(1, 1, 1);
-        assertThat(hits.admit(0, 0, 4, 0)).isTrue();
-        assertThat(hits.admit(0, 0, 4, 0)).isFalse();
-        hits.reset();
-        assertThat(hits.admit(0, 0, 4, 0)).isTrue();
-    }
-
-    @Test
     void admit_givenAnObjectWithoutCells_admitsAll() {
         InitialHits hits = new InitialHits(Arrays.asList(null, new TexelGrid(SHEET, 1, 1)), 1);
         for (int i = 0; i < 3; i++) {

@@ -32,6 +32,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class ForwardPassTest {
     private static final Settings PHYSICAL = Settings.physical();
+    /** Lattices stand on so many points of a lamp; of few, it matters which. */
+    private static final int LAMP_POINTS = 100;
+
     private static final Falloff NATURE = new Falloff.InverseSquare();
 
     static List<String> preProcessors() {
@@ -50,9 +53,10 @@ class ForwardPassTest {
                 new PointLight(at, Color.WHITE),
                 new SpotLight(at, down, 5, 12, Color.WHITE, NATURE, 0),
                 new DirectionalLight(down, Color.WHITE, 0),
-                FlatLight.disc(at, down, 0.5, Color.WHITE, NATURE, 9),
-                FlatLight.rectangle(at, new Vector3(1, 0, 0), new Vector3(0, 0, 1), Color.WHITE, new Falloff.None(), 9),
-                new SphereLight(at, 0.3, Color.WHITE, NATURE, 9));
+                FlatLight.disc(at, down, 0.5, Color.WHITE, NATURE, LAMP_POINTS),
+                FlatLight.rectangle(
+                        at, new Vector3(1, 0, 0), new Vector3(0, 0, 1), Color.WHITE, new Falloff.None(), LAMP_POINTS),
+                new SphereLight(at, 0.3, Color.WHITE, NATURE, LAMP_POINTS));
     }
 
     /** Every light, every pre-processor: what is sent out is found again. */
@@ -76,7 +80,7 @@ class ForwardPassTest {
         for (String preProcessor : preProcessors()) {
             double stored =
                     Forward.run(scene, PHYSICAL, preProcessor, 60_000).ledger().stored();
-            assertThat(stored).as(preProcessor).isCloseTo(random, within(0.02 * random));
+            assertThat(stored).as(preProcessor).isCloseTo(random, within(0.03 * random));
         }
     }
 

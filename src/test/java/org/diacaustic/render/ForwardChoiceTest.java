@@ -203,6 +203,26 @@ class ForwardChoiceTest {
                 .hasMessageContainingAll(words);
     }
 
+    @Test
+    void plan_givenMirrorsThatAreNotFollowed_saysWhatIsLeftOut() {
+        Scene scene = Scene.builder()
+                .camera(lit(clear(1.5)).camera())
+                .light(new PointLight(v(0, 7, 0), Color.WHITE))
+                .object("floor", new Plane(v(0, 0, 0), v(0, 1, 0)), matt(0.8).build())
+                .object("ball", new Sphere(v(0, 1.5, 0), 1), clear(1.5).build())
+                .object("knob", new Sphere(v(3, 1.5, 0), 1), mirror(0.5).build())
+                .build();
+        Settings settings = forward(s -> s.followReflections(false).passes(3));
+        RenderPlan plan = RenderPlan.of(scene, settings);
+        assertThat(decision(plan, "mirrored light"))
+                .isEqualTo(new Decision(
+                        "mirrored light", false, "what knob mirrors onto surfaces", "light-reflections is off"));
+        assertThat(decision(plan, "passes").choice()).isEqualTo("3 pictures, averaged");
+        assertThat(decision(plan, "emission windows").choice()).doesNotContain("knob");
+        assertThat(RenderPlan.of(scene, PHYSICAL).decisions())
+                .noneMatch(d -> d.part().equals("mirrored light"));
+    }
+
     /** The thesis: an endless plane cannot have a map of its own [Thesis 4.4]. */
     @Test
     void plan_givenAmbientMapsAndEndlessFloor_isRefusedInASentence() {
