@@ -32,12 +32,15 @@ final class ConeChart extends EmissionChart {
         double b = 2 * q - 1;
         boolean wide = Math.abs(a) > Math.abs(b);
         double radius = wide ? a : b;
-        double angle = radius == 0 ? 0 : wide ? Math.PI / 4 * (b / a) : Math.PI / 2 - Math.PI / 4 * (a / b);
+        // At most an eighth of a turn: the rest is symmetry, and needs no reduction of the angle.
+        double angle = radius == 0 ? 0 : Math.PI / 4 * (wide ? b / a : a / b);
+        double along = StrictMath.cos(angle);
+        double across = StrictMath.sin(angle);
         double depth = versine * radius * radius;
         double cosine = 1 - depth;
         double sine = Math.copySign(Math.sqrt(depth * (2 - depth)), radius);
-        double s = sine * StrictMath.cos(angle);
-        double t = sine * StrictMath.sin(angle);
+        double s = sine * (wide ? along : across);
+        double t = sine * (wide ? across : along);
         ray.setOrigin(from.x(), from.y(), from.z());
         ray.setDirection(
                 cosine * axis.x() + s * u.x() + t * v.x(),
