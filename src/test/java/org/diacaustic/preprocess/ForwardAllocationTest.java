@@ -4,8 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
+import org.diacaustic.light.LightPoint;
 import org.diacaustic.light.PointLight;
 import org.diacaustic.math.Color;
+import org.diacaustic.math.SampleStream;
 import org.diacaustic.math.Vector3;
 import org.diacaustic.parallel.Workers;
 import org.diacaustic.scene.Settings;
@@ -37,11 +39,15 @@ class ForwardAllocationTest {
             // anew.
             @Override
             public void run(Beam beam, ForwardPass pass) {
+                LightPoint lamp = new LightPoint();
+                beam.light().emitFrom(0.5, 0.5, lamp);
+                EmissionChart chart = beam.planeChart(lamp);
                 pass.shootRays(RAYS, (number, emitter) -> {
                     if (number % STRETCH == 0) {
                         before[0] = threads.getCurrentThreadAllocatedBytes();
                     }
-                    RandomRays.aim(beam, emitter.random(number), emitter);
+                    SampleStream random = emitter.random(number);
+                    chart.aim(random.nextDouble(), random.nextDouble(), emitter.ray());
                     found[0] += emitter.probe();
                     if (number % STRETCH == STRETCH - 1) {
                         least[0] = Math.min(least[0], threads.getCurrentThreadAllocatedBytes() - before[0]);
