@@ -3,22 +3,11 @@ package org.diacaustic.map;
 /** How the power in a texel becomes light that shades. */
 public enum AmbientCalibration {
     /** Power ÷ area: irradiance, in W·m⁻². */
-    DENSITY("density"),
+    DENSITY,
 
     /**
      * Power ÷ the number of photons that a texel is expected to have, as the thesis weighs the volume of interest of its
      * photon map [Thesis 4.5]: the mean power of a photon if that many have come, in W. It knows no areas.
      */
-    EXPECTED_COUNT("expected-count");
-
-    private final String label;
-
-    AmbientCalibration(String label) {
-        this.label = label;
-    }
-
-    /** The name in scene files. */
-    public String label() {
-        return label;
-    }
+    EXPECTED_COUNT
 }

@@ -45,10 +45,6 @@ public record AmbientOptions(
         return new AmbientOptions(calibration, count, blur, separatesSides, interpolates);
     }
 
-    public AmbientOptions withCalibration(AmbientCalibration value) {
-        return new AmbientOptions(value, expectedCount, blur, separatesSides, interpolates);
-    }
-
     public AmbientOptions separatingSides(boolean on) {
         return new AmbientOptions(calibration, expectedCount, blur, on, interpolates);
     }

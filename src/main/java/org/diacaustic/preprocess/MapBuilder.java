@@ -100,7 +100,7 @@ public final class MapBuilder {
     }
 
     private Estimator estimator(PhotonTree tree, PhotonFilter filter, int pass) {
-        Kernel kernel = Kernel.valueOf(settings.kernel().name());
+        Kernel kernel = settings.kernel();
         double radius = radius(tree, filter);
         return switch (plan.estimator()) {
             case EXPECTED_COUNT -> new Estimator.ExpectedCount(radius, expectedCount(tree, filter, radius));

@@ -28,6 +28,8 @@ public final class RenderJob {
     private final Object progressLock = new Object();
     private int tilesDone;
     private int partsDone;
+    /** How many parts a forward pass has; 0 if none is run. */
+    private int forwardParts;
 
     /**
      * @param threads at least 1
@@ -66,6 +68,7 @@ public final class RenderJob {
      * @throws IllegalStateException if it has run already
      */
     public Rendering run() {
+        forwardParts = forwardParts();
         Workers workers = new Workers(threads, stop);
         ForwardTotals forward = new ForwardTotals();
         MapBuilder builder = plan.forward()
@@ -108,7 +111,7 @@ public final class RenderJob {
         long start = System.nanoTime();
         int before = partsDone;
         ForwardPass forward =
-                new ForwardPass(forwardPlan, pass, workers, part -> progress(before + (int) (part * forwardParts())));
+                new ForwardPass(forwardPlan, pass, workers, part -> progress(before + (int) (part * forwardParts)));
         try {
             forward.run();
         } catch (ForwardPlanException refused) {
@@ -117,7 +120,7 @@ public final class RenderJob {
             throw new ResourceLimitException(full.getMessage() + ": give fewer rays, or Java more memory (-Xmx)");
         }
         if (!stop.isSet()) {
-            progress(before + forwardParts());
+            progress(before + forwardParts);
         }
         long traced = System.nanoTime();
         IlluminationMap map = stop.isSet() ? null : builder.build(plan.scene().camera(), forward.photons(), pass);
@@ -157,7 +160,7 @@ public final class RenderJob {
 
     /** Tells the listener of every part up to this number. */
     private void progress(int done) {
-        int total = plan.passes() * (tileCount() + forwardParts());
+        int total = plan.passes() * (tileCount() + forwardParts);
         synchronized (progressLock) {
             while (partsDone < done) {
                 partsDone++;

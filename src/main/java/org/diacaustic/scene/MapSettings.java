@@ -1,5 +1,7 @@
 package org.diacaustic.scene;
 
+import org.diacaustic.map.Kernel;
+
 /**
  * How the light of the forward pass is kept and read: names and numbers only, nothing resolved. Immutable; a part of
  * {@link Settings}.
@@ -35,7 +37,7 @@ public final class MapSettings {
     }
 
     /** How photons count by their distance. */
-    public KernelName kernel() {
+    public Kernel kernel() {
         return values.kernel;
     }
 
@@ -94,7 +96,7 @@ public final class MapSettings {
         private MapName map = MapName.AUTO;
         private EstimatorName estimator = EstimatorName.AUTO;
         private boolean filterSides = true;
-        private KernelName kernel = KernelName.EPANECHNIKOV;
+        private Kernel kernel = Kernel.EPANECHNIKOV;
         private double gatherRadius;
         private int gatherCount = 50;
         private double expectedCount;
@@ -140,7 +142,7 @@ public final class MapSettings {
             return this;
         }
 
-        public Builder kernel(KernelName value) {
+        public Builder kernel(Kernel value) {
             kernel = value;
             return this;
         }

@@ -1,8 +1,8 @@
 package org.diacaustic.scenefile;
 
 import java.util.Map;
+import org.diacaustic.map.Kernel;
 import org.diacaustic.scene.EstimatorName;
-import org.diacaustic.scene.KernelName;
 import org.diacaustic.scene.MapName;
 import org.diacaustic.scene.MapSettings;
 
@@ -24,7 +24,7 @@ final class MapSettingsReader {
         in.choice("map", MapName.class).optional().ifPresent(maps::map);
         in.choice("estimator", EstimatorName.class).optional().ifPresent(maps::estimator);
         in.choice("filter", FILTERS).optional().ifPresent(maps::filterSides);
-        in.choice("kernel", KernelName.class).optional().ifPresent(maps::kernel);
+        in.choice("kernel", Kernel.class).optional().ifPresent(maps::kernel);
         in.number("gather-radius").atLeast(1e-150).atMost(1e150).optional().ifPresent(maps::gatherRadius);
         in.integer("gather-count").atLeast(2).optional().ifPresent(maps::gatherCount);
         in.number("expected-count").above(0).optional().ifPresent(maps::expectedCount);

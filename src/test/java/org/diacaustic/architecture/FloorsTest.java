@@ -36,7 +36,7 @@ class FloorsTest {
         NAMES.put("material", Set.of("shape", "image"));
         NAMES.put("light", Set.of("shape"));
         NAMES.put("map", Set.of("index"));
-        NAMES.put("scene", Set.of("shape", "material", "light"));
+        NAMES.put("scene", Set.of("shape", "material", "light", "map"));
         NAMES.put("shader", Set.of("scene"));
         NAMES.put("transport", Set.of("scene", "parallel"));
         NAMES.put("preprocess", Set.of("transport", "map", "scene", "parallel"));

@@ -9,13 +9,13 @@ import java.util.List;
 import java.util.function.ToDoubleFunction;
 import org.diacaustic.light.Falloff;
 import org.diacaustic.map.IlluminationMap;
+import org.diacaustic.map.Kernel;
 import org.diacaustic.map.SurfacePoint;
 import org.diacaustic.math.Rgb;
 import org.diacaustic.math.Vector3;
 import org.diacaustic.parallel.Workers;
 import org.diacaustic.scene.EstimatorName;
 import org.diacaustic.scene.ForwardSettings;
-import org.diacaustic.scene.KernelName;
 import org.diacaustic.scene.MapName;
 import org.diacaustic.scene.MapSettings;
 import org.diacaustic.scene.Scene;
@@ -117,7 +117,7 @@ class EquivalenceTest {
 
     private static MapSettings.Builder constantKernel() {
         return MapSettings.builder()
-                .kernel(KernelName.CONSTANT)
+                .kernel(Kernel.CONSTANT)
                 .estimator(EstimatorName.DENSITY)
                 .gatherRadius(REACH);
     }
