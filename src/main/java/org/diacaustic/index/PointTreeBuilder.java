@@ -22,7 +22,8 @@ final class PointTreeBuilder {
     private final int levels;
     private final float[] boxes;
 
-    PointTreeBuilder(float[] x, float[] y, float[] z, int[] numbers) {
+    /** @param largestLeaf the largest number of points in a leaf */
+    PointTreeBuilder(float[] x, float[] y, float[] z, int[] numbers, int largestLeaf) {
         this.x = x;
         this.y = y;
         this.z = z;
@@ -33,7 +34,7 @@ final class PointTreeBuilder {
                     + y.length + " and " + z.length);
         }
         int depth = 0;
-        while ((long) PointTree.LARGEST_LEAF << depth < size) {
+        while ((long) largestLeaf << depth < size) {
             depth++;
         }
         this.levels = depth;
