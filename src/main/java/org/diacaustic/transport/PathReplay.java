@@ -11,7 +11,7 @@ import org.diacaustic.shape.Hit;
 public final class PathReplay extends PathTracer {
     private static final StopSignal NEVER = new StopSignal();
 
-    private final Hit end = new Hit();
+    private final Hit place = new Hit();
     private long[] trail = new long[0];
     private long signatureAtEnd;
     private int depthAtEnd;
@@ -27,8 +27,8 @@ public final class PathReplay extends PathTracer {
     }
 
     /** Where it arrived. */
-    public Hit end() {
-        return end;
+    public Hit place() {
+        return place;
     }
 
     /**
@@ -55,7 +55,7 @@ public final class PathReplay extends PathTracer {
         }
         arrived = signatureAt(object, side) == signatureAtEnd;
         if (arrived) {
-            end.copyPlace(hit);
+            place.copyPlace(hit);
         }
         return false;
     }
