@@ -154,7 +154,13 @@ final class ForwardChoice {
         EstimatorName best = map == MapName.PHOTON_MAP ? EstimatorName.NEAREST : EstimatorName.DENSITY;
         EstimatorName estimator = maps.estimator() == EstimatorName.AUTO ? best : maps.estimator();
         long rays = forward.rays() > 0 ? forward.rays() : RAYS;
-        ForwardPlanner planner = new ForwardPlanner(scene, index, settings);
+        // Cells need no rays but those that may find something, whatever the thesis did.
+        Settings aimed = map == MapName.CAUSTIC_MESH
+                ? settings.toBuilder()
+                        .forward(forward.toBuilder().aimAtSpecular(true).build())
+                        .build()
+                : settings;
+        ForwardPlanner planner = new ForwardPlanner(scene, index, aimed);
         if (forward.preProcessor().equals(Settings.AUTO) && map == MapName.CAUSTIC_MESH) {
             return planner.plan(known.get("own-map"), rays, map, estimator);
         }
