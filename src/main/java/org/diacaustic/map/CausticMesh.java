@@ -20,6 +20,9 @@ public final class CausticMesh implements IlluminationMap {
     /** Numbers of a cell: x, y and z of three vertices; red, green and blue power. */
     static final int NUMBERS = 12;
 
+    /** Where among them power begins. */
+    static final int POWER = 9;
+
     /** Cells read by one task. */
     private static final int TASK = 1 << 14;
 
