@@ -26,11 +26,11 @@ final class FootprintRegion {
     private Footprint footprint;
     private FootprintSides sides;
 
-    /** For each side, c of n · x + c ≥ 0, with x in units of length from the mesh's origin. */
-    private final double[] offsets = new double[Footprint.LARGEST_CORNERS];
+    /** For each side, the point of it that is kept, in units of length from the mesh's origin. */
+    private final double[] middles = new double[3 * Footprint.LARGEST_CORNERS];
 
-    /** For each side, n · x + c at the middle of the leaf. */
-    private final double[] atLeaf = new double[Footprint.LARGEST_CORNERS];
+    /** For each side, the middle of the leaf from there. */
+    private final double[] atLeaf = new double[3 * Footprint.LARGEST_CORNERS];
 
     /** The sides that may cut the leaf, as bits. */
     private int cutting;
@@ -63,11 +63,11 @@ final class FootprintRegion {
             double nx = sides.normals[i];
             double ny = sides.normals[i + 1];
             double nz = sides.normals[i + 2];
-            offsets[side] = -inverseUnit
-                    * (nx * (sides.middles[i] - origin.x())
-                            + ny * (sides.middles[i + 1] - origin.y())
-                            + nz * (sides.middles[i + 2] - origin.z()));
-            walk.cut(nx, ny, nz, offsets[side], rounding(nx, ny, nz));
+            middles[i] = inverseUnit * (sides.middles[i] - origin.x());
+            middles[i + 1] = inverseUnit * (sides.middles[i + 1] - origin.y());
+            middles[i + 2] = inverseUnit * (sides.middles[i + 2] - origin.z());
+            double c = -(nx * middles[i] + ny * middles[i + 1] + nz * middles[i + 2]);
+            walk.cut(nx, ny, nz, c, rounding(nx, ny, nz));
         }
         double nx = closed.polygonX;
         double ny = closed.polygonY;
@@ -128,10 +128,10 @@ final class FootprintRegion {
             double y = tree.middle(leaf, 1);
             double z = tree.middle(leaf, 2);
             for (int left = cutting; left != 0; left &= left - 1) {
-                int side = Integer.numberOfTrailingZeros(left);
-                int i = 3 * side;
-                atLeaf[side] =
-                        sides.normals[i] * x + sides.normals[i + 1] * y + sides.normals[i + 2] * z + offsets[side];
+                int i = 3 * Integer.numberOfTrailingZeros(left);
+                atLeaf[i] = x - middles[i];
+                atLeaf[i + 1] = y - middles[i + 1];
+                atLeaf[i + 2] = z - middles[i + 2];
             }
             slabAtLeaf = footprint.polygonX * x + footprint.polygonY * y + footprint.polygonZ * z - slabMiddle;
         }
@@ -173,13 +173,17 @@ final class FootprintRegion {
         clip.begin();
         for (int left = cutting; left != 0; left &= left - 1) {
             int side = Integer.numberOfTrailingZeros(left);
-            double nx = sides.normals[3 * side];
-            double ny = sides.normals[3 * side + 1];
-            double nz = sides.normals[3 * side + 2];
-            double c = atLeaf[side];
-            double first = nx * ax + ny * ay + nz * az + c;
-            double second = nx * bx + ny * by + nz * bz + c;
-            double third = nx * cx + ny * cy + nz * cz + c;
+            int k = 3 * side;
+            double nx = sides.normals[k];
+            double ny = sides.normals[k + 1];
+            double nz = sides.normals[k + 2];
+            double x = atLeaf[k];
+            double y = atLeaf[k + 1];
+            double z = atLeaf[k + 2];
+            // Distances from a point of the edge, so that what lies on an edge along an axis is at exactly 0.
+            double first = nx * (ax + x) + ny * (ay + y) + nz * (az + z);
+            double second = nx * (bx + x) + ny * (by + y) + nz * (bz + z);
+            double third = nx * (cx + x) + ny * (cy + y) + nz * (cz + z);
             if (first <= 0 && second <= 0 && third <= 0) {
                 boolean inPlane = first == 0 && second == 0 && third == 0;
                 if (!(inPlane && sides.holdsPlane[side])) {
