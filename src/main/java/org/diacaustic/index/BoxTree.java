@@ -142,31 +142,42 @@ public final class BoxTree {
     /** Begins the walk through the leaves that the region touches. */
     public void start(BoxWalk walk) {
         walk.open = 0;
-        if (size > 0 && walk.touches(boxes, 6)) {
-            walk.nodes[walk.open++] = 1;
+        if (size > 0) {
+            int cutting = walk.touches(boxes, 6, walk.allPlanes());
+            if (cutting != BoxWalk.APART) {
+                walk.nodes[0] = 1;
+                walk.cutting[0] = cutting;
+                walk.open = 1;
+            }
         }
     }
 
     /** The next leaf whose box the region touches, or {@link #DONE}. */
     public int next(BoxWalk walk) {
-        int[] nodes = walk.nodes;
         int open = walk.open;
         while (open > 0) {
-            int node = nodes[--open];
-            boolean found = true;
-            while (found && node < leaves) {
+            open--;
+            int node = walk.nodes[open];
+            int cutting = walk.cutting[open];
+            while (cutting != BoxWalk.APART && node < leaves) {
                 walk.examined++;
-                int first = 2 * node;
-                boolean inFirst = walk.touches(boxes, 6 * first);
-                boolean inSecond = walk.touches(boxes, 6 * first + 6);
-                found = inFirst || inSecond;
-                node = inFirst ? first : first + 1;
-                if (inFirst && inSecond) {
-                    nodes[open++] = first + 1;
+                node = 2 * node;
+                int first = walk.touches(boxes, 6 * node, cutting);
+                int second = walk.touches(boxes, 6 * node + 6, cutting);
+                if (first == BoxWalk.APART) {
+                    node++;
+                    cutting = second;
+                } else {
+                    cutting = first;
+                    if (second != BoxWalk.APART) {
+                        walk.nodes[open] = node + 1;
+                        walk.cutting[open++] = second;
+                    }
                 }
             }
-            if (found) {
+            if (cutting != BoxWalk.APART) {
                 walk.open = open;
+                walk.leafCutting = cutting;
                 int leaf = node - leaves;
                 walk.examined += end(leaf) - first(leaf);
                 return leaf;

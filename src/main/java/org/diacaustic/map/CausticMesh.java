@@ -15,10 +15,13 @@ import org.diacaustic.parallel.Workers;
  */
 public final class CausticMesh implements IlluminationMap {
     /** The largest number of cells in a leaf. */
-    static final int LARGEST_LEAF = 4;
+    static final int LARGEST_LEAF = 6;
 
     /** Numbers of a cell: x, y and z of three vertices; red, green and blue power. */
     static final int NUMBERS = 12;
+
+    /** Where among them power begins. */
+    static final int POWER = 9;
 
     /** Cells read by one task. */
     private static final int TASK = 1 << 14;

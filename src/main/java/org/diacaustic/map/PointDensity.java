@@ -79,9 +79,9 @@ final class PointDensity {
     }
 
     private void cutBothSides(double nx, double ny, double nz, double along) {
-        double margin = FootprintLookup.ROUNDING * (Math.abs(nx) + Math.abs(ny) + Math.abs(nz));
-        walk.cut(nx, ny, nz, margin - along);
-        walk.cut(-nx, -ny, -nz, margin + along);
+        double margin = FootprintRegion.ROUNDING * (Math.abs(nx) + Math.abs(ny) + Math.abs(nz));
+        walk.cut(nx, ny, nz, -along, margin);
+        walk.cut(-nx, -ny, -nz, along, margin);
     }
 
     /** Adds the density of a triangle whose numbers begin at a place, in units of power and length. */
@@ -122,7 +122,7 @@ final class PointDensity {
         double inZ = normalX * ey - normalY * ex;
         float[] n = mesh.numbers;
         double distance = inX * (x - n[vertex]) + inY * (y - n[vertex + 1]) + inZ * (z - n[vertex + 2]);
-        return distance > 0 || distance == 0 && Footprint.isFirst(inX, inY, inZ);
+        return distance > 0 || distance == 0 && FootprintSides.isFirst(inX, inY, inZ);
     }
 
     long examined() {

@@ -39,6 +39,9 @@ final class TriangleClip {
         if (planes == 0) {
             return 1;
         }
+        if (planes == 1) {
+            return fraction(distances[0], distances[1], distances[2]);
+        }
         u[0] = 0;
         v[0] = 0;
         u[1] = 1;
@@ -54,6 +57,25 @@ final class TriangleClip {
             twice += (u[i - 1] - u[0]) * (v[i] - v[0]) - (u[i] - u[0]) * (v[i - 1] - v[0]);
         }
         return Math.min(1, Math.max(0, twice));
+    }
+
+    /** The part of the triangle that is on the positive side of the only plane. */
+    private static double fraction(double first, double second, double third) {
+        if (first > 0) {
+            if (second > 0) {
+                return 1 - corner(third, first, second);
+            }
+            return third > 0 ? 1 - corner(second, third, first) : corner(first, second, third);
+        }
+        if (second > 0) {
+            return third > 0 ? 1 - corner(first, second, third) : corner(second, third, first);
+        }
+        return corner(third, first, second);
+    }
+
+    /** The part of a triangle that is on the same side of a plane as one vertex, when the other two are not. */
+    private static double corner(double distance, double other, double another) {
+        return distance / (distance - other) * (distance / (distance - another));
     }
 
     /** Leaves what is on the positive side of a plane [Sutherland and Hodgman 1974]. */
