@@ -106,13 +106,13 @@ final class MeshPatch {
 
     private void quarter(int x, int y, int side, int depth) {
         int half = side / 2;
-        makeCell(x, y, half, depth - 1);
-        makeCell(x + half, y, half, depth - 1);
-        makeCell(x + half, y + half, half, depth - 1);
-        makeCell(x, y + half, half, depth - 1);
+        makeQuad(x, y, half, depth - 1);
+        makeQuad(x + half, y, half, depth - 1);
+        makeQuad(x + half, y + half, half, depth - 1);
+        makeQuad(x, y + half, half, depth - 1);
     }
 
-    private void makeCell(int x, int y, int side, int depth) {
+    private void makeQuad(int x, int y, int side, int depth) {
         int p = rayAt(x, y);
         int q = rayAt(x + side, y);
         int r = rayAt(x + side, y + side);
@@ -158,10 +158,8 @@ final class MeshPatch {
         boolean first = leaves.agree(p, q, SIGNIFICANT);
         boolean second = leaves.agree(q, r, SIGNIFICANT);
         boolean third = leaves.agree(r, p, SIGNIFICANT);
-        if (first && second && third) {
+        if (!lattice.cuts() || (first ? 1 : 0) + (second ? 1 : 0) + (third ? 1 : 0) != 1) {
             makeTriangle(p, q, r, measure);
-        } else if (!lattice.cuts() || (first ? 1 : 0) + (second ? 1 : 0) + (third ? 1 : 0) != 1) {
-            makePoints(p, q, r, measure);
         } else if (second) {
             cutCorner(ax, ay, p, bx, by, q, cx, cy, r, measure);
         } else if (third) {
@@ -176,7 +174,7 @@ final class MeshPatch {
         Cut left = leftCut.find(ax, ay, p, bx, by, q);
         Cut right = rightCut.find(ax, ay, p, cx, cy, r);
         if (!leaves.agree(left.beyond, q, SIGNIFICANT) || !leaves.agree(right.beyond, r, SIGNIFICANT)) {
-            makePoints(p, q, r, measure);
+            makeTriangle(p, q, r, measure);
             return;
         }
         makeTriangle(p, left.before, right.before, lattice.measure(ax, ay, left.x, left.y, right.x, right.y));
@@ -218,49 +216,45 @@ final class MeshPatch {
         }
     }
 
-    /** Makes triangles of the light that came the same way from all three corners, and points of what else there is. */
+    /**
+     * Makes triangles of the light that came the same way from all three corners, lines between those of two, and points of
+     * what else there is.
+     */
     private void makeTriangle(int p, int q, int r, double measure) {
         book(p, q, r, measure);
         double third = measure / 3;
         for (int leaf = leaves.firstLeaf(p); leaf < leaves.endLeaf(p); leaf++) {
-            int other = leaves.alike(leaf, q);
-            int last = leaves.alike(leaf, r);
-            if (other >= 0 && last >= 0) {
-                leaves.place(leaf, a);
-                leaves.place(other, b);
-                leaves.place(last, c);
-                power.set(0, 0, 0);
-                leaves.addPower(leaf, third, power);
-                leaves.addPower(other, third, power);
-                leaves.addPower(last, third, power);
-                cells.addTriangle(a, b, c, power);
-            } else {
+            makeCell(leaf, leaves.alike(leaf, q), leaves.alike(leaf, r), third);
+        }
+        for (int leaf = leaves.firstLeaf(q); leaf < leaves.endLeaf(q); leaf++) {
+            if (leaves.alike(leaf, p) < 0) {
+                makeCell(leaf, -1, leaves.alike(leaf, r), third);
+            }
+        }
+        for (int leaf = leaves.firstLeaf(r); leaf < leaves.endLeaf(r); leaf++) {
+            if (leaves.alike(leaf, p) < 0 && leaves.alike(leaf, q) < 0) {
                 makePoint(leaf, third);
             }
         }
-        makeOdd(q, p, r, third);
-        makeOdd(r, p, q, third);
     }
 
-    /** Makes points of the leaves of a ray that do not have their like in both others. */
-    private void makeOdd(int ray, int other, int last, double measure) {
-        for (int leaf = leaves.firstLeaf(ray); leaf < leaves.endLeaf(ray); leaf++) {
-            if (leaves.alike(leaf, other) < 0 || leaves.alike(leaf, last) < 0) {
-                makePoint(leaf, measure);
-            }
-        }
-    }
-
-    private void makePoints(int p, int q, int r, double measure) {
-        book(p, q, r, measure);
-        makeAllPoints(p, measure / 3);
-        makeAllPoints(q, measure / 3);
-        makeAllPoints(r, measure / 3);
-    }
-
-    private void makeAllPoints(int ray, double measure) {
-        for (int leaf = leaves.firstLeaf(ray); leaf < leaves.endLeaf(ray); leaf++) {
+    /** Makes a cell of a leaf and those like it of other corners, if there are any. */
+    private void makeCell(int leaf, int second, int third, double measure) {
+        if (second < 0 && third < 0) {
             makePoint(leaf, measure);
+            return;
+        }
+        power.set(0, 0, 0);
+        leaves.place(leaf, a);
+        leaves.addPower(leaf, measure, power);
+        leaves.place(second < 0 ? third : second, b);
+        leaves.addPower(second < 0 ? third : second, measure, power);
+        if (second >= 0 && third >= 0) {
+            leaves.place(third, c);
+            leaves.addPower(third, measure, power);
+            cells.addTriangle(a, b, c, power);
+        } else {
+            cells.addTriangle(a, b, b, power);
         }
     }
 

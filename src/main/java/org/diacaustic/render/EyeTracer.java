@@ -100,7 +100,7 @@ final class EyeTracer extends PathTracer {
     protected boolean arrive(int object, int side) {
         addAmbient();
         indirectLight.pass(depth, signature);
-        indirectLight.add(object, side, depth, signatureAt(object, side), ray, hit, surface, throughput, radiance);
+        indirectLight.add(object, side, depth, signatureAt(object, side), hit, surface, throughput, radiance);
         directLight.add(object, side, hit, surface, scattering, media, throughput, radiance);
         return true;
     }

@@ -4,7 +4,6 @@ import java.util.Arrays;
 import org.diacaustic.map.IlluminationMap;
 import org.diacaustic.map.SurfacePoint;
 import org.diacaustic.material.Surface;
-import org.diacaustic.math.Ray;
 import org.diacaustic.math.Rgb;
 import org.diacaustic.shape.Hit;
 
@@ -73,16 +72,7 @@ final class IndirectLight {
      *
      * @param way the signature of the eye's path with its end
      */
-    void add(
-            int object,
-            int side,
-            int depth,
-            long way,
-            Ray ray,
-            Hit hit,
-            Surface surface,
-            Rgb throughput,
-            Rgb radiance) {
+    void add(int object, int side, int depth, long way, Hit hit, Surface surface, Rgb throughput, Rgb radiance) {
         if (lookup == null || (surface.diffuse.isBlack() && !looksEverywhere)) {
             return;
         }
@@ -97,7 +87,7 @@ final class IndirectLight {
         if (footprint == null) {
             lookup.irradiance(at, irradiance);
         } else if (!isAnswered(way)) {
-            ask(depth, way, ray, hit);
+            ask(depth, way);
         }
         irradiance.multiply(surface.diffuse).scale(diffuseFactor);
         radiance.addProduct(throughput, irradiance);
@@ -119,8 +109,8 @@ final class IndirectLight {
         return false;
     }
 
-    private void ask(int depth, long way, Ray ray, Hit hit) {
-        double part = footprint.find(depth, way, ray, hit, at);
+    private void ask(int depth, long way) {
+        double part = footprint.find(depth, way, at);
         if (part == 0) {
             lookup.irradiance(at, irradiance);
         } else {

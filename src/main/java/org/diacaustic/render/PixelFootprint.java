@@ -3,6 +3,7 @@ package org.diacaustic.render;
 import java.util.Arrays;
 import org.diacaustic.map.Footprint;
 import org.diacaustic.map.IlluminationMap;
+import org.diacaustic.map.PhotonFilter;
 import org.diacaustic.map.SurfacePoint;
 import org.diacaustic.math.Arithmetic;
 import org.diacaustic.math.Ray;
@@ -34,8 +35,11 @@ final class PixelFootprint {
     /** The part of a curved object's size within which light on it belongs to what is seen. */
     private static final double REACH = 1.0 / 64;
 
-    /** Squares along the side of one whose area on a surface is measured by rays. */
-    private static final int MEASURED = 4;
+    /** Small squares along the side of one that sees a surface end, or bend much. */
+    private static final int PARTS = 4;
+
+    /** How far before and behind a small square light belongs to it, in sizes of what it sees. */
+    private static final double PART_REACH = 4;
 
     private final Camera camera;
     private final SceneIndex index;
@@ -43,10 +47,12 @@ final class PixelFootprint {
     private final PathReplay replay;
     private final Footprint footprint = new Footprint();
     private final Footprint otherHalf = new Footprint();
+    private final Ray corner = new Ray();
     private final Ray probe = new Ray();
     private final Hit probeHit = new Hit();
     private final double[] points = new double[12];
     private final double[] directions = new double[12];
+    private final SurfacePoint partAt = new SurfacePoint();
     private final Rgb part = new Rgb();
     private long[] trail = new long[16];
     private double left;
@@ -59,6 +65,9 @@ final class PixelFootprint {
 
     /** Whether the footprint consists of two triangles. */
     private boolean isHalved;
+
+    /** Whether small squares must be looked at one by one. */
+    private boolean isUneven;
 
     PixelFootprint(RenderPlan plan) {
         this.plan = plan;
@@ -93,12 +102,14 @@ final class PixelFootprint {
      * @param signature of the eye's path with its end
      * @return the part of the pixel's side that it has; 0 if there is none
      */
-    double find(int depth, long signature, Ray ray, Hit hit, SurfacePoint at) {
+    double find(int depth, long signature, SurfacePoint at) {
+        isHalved = false;
+        isUneven = false;
         left = Math.floor(sampleX);
         top = Math.floor(sampleY);
         side = 1;
         for (int i = 0; i <= MOST_HALVINGS; i++) {
-            if (depth == 0 ? findDirect(ray, hit, at) : findOverWay(depth, signature, hit, at)) {
+            if (depth == 0 ? findDirect(at) : findOverWay(depth, signature, at)) {
                 return side;
             }
             side /= 2;
@@ -110,6 +121,10 @@ final class PixelFootprint {
 
     /** Sets the mean irradiance in the footprint that was found. */
     void ask(IlluminationMap.Lookup lookup, SurfacePoint at, Rgb irradiance) {
+        if (isUneven) {
+            askParts(lookup, at, irradiance);
+            return;
+        }
         lookup.irradiance(footprint, at, irradiance);
         if (isHalved) {
             lookup.irradiance(otherHalf, at, part);
@@ -120,29 +135,68 @@ final class PixelFootprint {
         }
     }
 
+    /** The mean over small squares of the pixel, each of which sees a surface of its own of the same object. */
+    private void askParts(IlluminationMap.Lookup lookup, SurfacePoint at, Rgb irradiance) {
+        Shape shape = index.object(at.object).shape();
+        double size = side;
+        double x = left;
+        double y = top;
+        side /= PARTS;
+        int found = 0;
+        irradiance.set(0, 0, 0);
+        for (int i = 0; i < PARTS * PARTS; i++) {
+            left = x + i % PARTS * side;
+            top = y + i / PARTS * side;
+            camera.aim(left + 0.5 * side, top + 0.5 * side, lensU, lensV, probe);
+            if (meets(shape, at.object, at.front) && findOnPlane(partAt)) {
+                footprint.reach(PART_REACH * diagonal());
+                if (footprint.close()) {
+                    lookup.irradiance(footprint, partAt, part);
+                    irradiance.add(part);
+                    found++;
+                }
+            }
+        }
+        side = size;
+        left = x;
+        top = y;
+        if (found == 0) {
+            lookup.irradiance(at, irradiance);
+        } else {
+            irradiance.scale(1.0 / found);
+        }
+    }
+
     private void aim(int corner, Ray ray) {
         double x = left + (corner == 1 || corner == 2 ? side : 0);
         double y = top + (corner >= 2 ? side : 0);
         camera.aim(x, y, lensU, lensV, ray);
     }
 
-    /** What the pixel's corners see of the plane in which the surface lies at the point. */
-    private boolean findDirect(Ray ray, Hit hit, SurfacePoint at) {
-        for (int i = 0; i < 4; i++) {
-            aim(i, probe);
-            double towards = alongNormal(at, probe.directionX, probe.directionY, probe.directionZ);
-            double height = alongNormal(at, at.x - probe.originX, at.y - probe.originY, at.z - probe.originZ);
-            double t = height / towards;
-            if (!(t > 0 && t < FARTHEST * hit.t)) {
-                return false;
-            }
-            setCorner(i, probe, probe.pointX(t), probe.pointY(t), probe.pointZ(t));
-        }
-        if (!closeWhole(at)) {
+    /** What the pixel's corners see of the surface itself. */
+    private boolean findDirect(SurfacePoint at) {
+        if (!findOnPlane(at)) {
             return false;
         }
-        measure(at, index.object(at.object).shape());
-        return footprint.close();
+        lookAtShape(at, index.object(at.object).shape());
+        return isUneven || footprint.close();
+    }
+
+    /** What the corners see of the plane in which the surface lies at a point. */
+    private boolean findOnPlane(SurfacePoint at) {
+        for (int i = 0; i < 4; i++) {
+            aim(i, corner);
+            double towards = alongNormal(at, corner.directionX, corner.directionY, corner.directionZ);
+            double x = at.x - corner.originX;
+            double y = at.y - corner.originY;
+            double z = at.z - corner.originZ;
+            double t = alongNormal(at, x, y, z) / towards;
+            if (!(t > 0 && t < FARTHEST * Arithmetic.length(x, y, z))) {
+                return false;
+            }
+            setCorner(i, corner, corner.pointX(t), corner.pointY(t), corner.pointZ(t));
+        }
+        return closeWhole(at);
     }
 
     private static double alongNormal(SurfacePoint at, double x, double y, double z) {
@@ -159,7 +213,6 @@ final class PixelFootprint {
     }
 
     private boolean closeWhole(SurfacePoint at) {
-        isHalved = false;
         footprint.begin(at);
         for (int i = 0; i < 4; i++) {
             addCorner(footprint, i);
@@ -177,28 +230,29 @@ final class PixelFootprint {
                 directions[3 * i + 2]);
     }
 
-    /** Finds out how large what is seen of a surface is, where it ends within the pixel or is curved. */
-    private void measure(SurfacePoint at, Shape shape) {
+    /** Finds out whether the surface ends within the square, or is curved, and then how large what is seen of it is. */
+    private void lookAtShape(SurfacePoint at, Shape shape) {
         double size = diagonal();
         double farthest = 0;
         for (int i = 0; i < 4; i++) {
             aim(i, probe);
-            if (!meets(shape, at)) {
-                farthest = Double.POSITIVE_INFINITY;
-                break;
+            if (!meets(shape, at.object, at.front)) {
+                isUneven = true;
+                return;
             }
-            double x = probe.pointX(probe.tMax);
-            double y = probe.pointY(probe.tMax);
-            double z = probe.pointZ(probe.tMax);
-            farthest = Math.max(farthest, Math.abs(alongNormal(at, x - at.x, y - at.y, z - at.z)));
-            setCorner(i, probe, x, y, z);
+            double cosine = at.normalX * partAt.normalX + at.normalY * partAt.normalY + at.normalZ * partAt.normalZ;
+            double off = Math.abs(alongNormal(at, partAt.x - at.x, partAt.y - at.y, partAt.z - at.z));
+            farthest = cosine > PhotonFilter.TWO_SIDED_NORMAL.cosine()
+                    ? Math.max(farthest, off)
+                    : Double.POSITIVE_INFINITY;
+            setCorner(i, probe, partAt.x, partAt.y, partAt.z);
         }
-        if (farthest <= FLAT * size) {
-            return;
+        if (farthest > SMOOTH * size) {
+            isUneven = true;
+        } else if (farthest > FLAT * size) {
+            footprint.area(polygonArea());
+            footprint.reach(reach(shape));
         }
-        boolean isSmooth = farthest <= SMOOTH * size;
-        footprint.area(isSmooth ? polygonArea() : sampledArea(at, shape));
-        footprint.reach(reach(shape));
     }
 
     private double diagonal() {
@@ -212,19 +266,30 @@ final class PixelFootprint {
                 points[3 * i + 2] - points[3 * j + 2]);
     }
 
-    /** Whether the probe meets the shape, on the side and about in the plane that is looked at. */
-    private boolean meets(Shape shape, SurfacePoint at) {
+    /** Whether the probe meets the shape on that side, and where. */
+    private boolean meets(Shape shape, int object, boolean front) {
         if (!shape.intersect(probe)) {
             return false;
         }
         probeHit.take(probe);
         shape.complete(probe, probeHit);
-        double cosine = alongNormal(at, probeHit.normalX, probeHit.normalY, probeHit.normalZ);
-        return (at.front ? cosine : -cosine) > 0.5;
+        double cosine = probe.directionX * probeHit.normalX
+                + probe.directionY * probeHit.normalY
+                + probe.directionZ * probeHit.normalZ;
+        double sign = cosine < 0 ? 1 : -1;
+        partAt.x = probeHit.x;
+        partAt.y = probeHit.y;
+        partAt.z = probeHit.z;
+        partAt.normalX = sign * probeHit.normalX;
+        partAt.normalY = sign * probeHit.normalY;
+        partAt.normalZ = sign * probeHit.normalZ;
+        partAt.object = object;
+        partAt.front = front;
+        return cosine < 0 == front;
     }
 
     private static double reach(Shape shape) {
-        return shape.bounds().isFinite() ? REACH * 2 * shape.bounds().radius() : 0;
+        return shape.bounds().isFinite() ? REACH * 2 * shape.bounds().radius() : Double.POSITIVE_INFINITY;
     }
 
     /** The area of the two triangles between the corners. */
@@ -242,46 +307,8 @@ final class PixelFootprint {
         return 0.5 * Arithmetic.length(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx);
     }
 
-    /** The area that rays through parts of the square find: solid angle · distance² ÷ cosine for each. */
-    private double sampledArea(SurfacePoint at, Shape shape) {
-        double solidAngle = solidAngle() / (MEASURED * MEASURED);
-        double area = 0;
-        for (int row = 0; row < MEASURED; row++) {
-            for (int column = 0; column < MEASURED; column++) {
-                double x = left + side * (column + 0.5) / MEASURED;
-                double y = top + side * (row + 0.5) / MEASURED;
-                camera.aim(x, y, lensU, lensV, probe);
-                if (meets(shape, at)) {
-                    area += solidAngle * areaPerSolidAngle(probe, probeHit.normalX, probeHit.normalY, probeHit.normalZ);
-                }
-            }
-        }
-        if (area > 0) {
-            return area;
-        }
-        camera.aim(sampleX, sampleY, lensU, lensV, probe);
-        probe.tMax = Arithmetic.length(at.x - probe.originX, at.y - probe.originY, at.z - probe.originZ);
-        return solidAngle * areaPerSolidAngle(probe, at.normalX, at.normalY, at.normalZ);
-    }
-
-    private static double areaPerSolidAngle(Ray ray, double nx, double ny, double nz) {
-        double cosine = Math.abs(ray.directionX * nx + ray.directionY * ny + ray.directionZ * nz);
-        return ray.tMax * ray.tMax / cosine;
-    }
-
-    /** Of the square, which is small: as if it were flat. */
-    private double solidAngle() {
-        double ax = directions[6] - directions[0];
-        double ay = directions[7] - directions[1];
-        double az = directions[8] - directions[2];
-        double bx = directions[9] - directions[3];
-        double by = directions[10] - directions[4];
-        double bz = directions[11] - directions[5];
-        return 0.5 * Arithmetic.length(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx);
-    }
-
     /** What the pixel's corners see over the same mirrors and through the same glass. */
-    private boolean findOverWay(int depth, long signature, Hit hit, SurfacePoint at) {
+    private boolean findOverWay(int depth, long signature, SurfacePoint at) {
         double farthest = 0;
         for (int i = 0; i < 4; i++) {
             aim(i, replay.ray());
