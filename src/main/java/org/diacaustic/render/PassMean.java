@@ -5,6 +5,9 @@ import org.diacaustic.math.Rgb;
 
 /** The mean of the pictures of all passes so far. Pixels may be added by different threads, but each by one at a time. */
 final class PassMean {
+    /** Less noise than this ÷ mean is that of sums. */
+    private static final double ROUNDING = 1e-12;
+
     private final LinearImage image;
     /** By how much the last pass' picture would change with a coarser map; null if there is none. */
     private final LinearImage differences;
@@ -59,9 +62,16 @@ final class PassMean {
         return image;
     }
 
+    /** The mean, as it is now. */
+    LinearImage copy() {
+        LinearImage copy = new LinearImage(image.width(), image.height());
+        System.arraycopy(image.samples(), 0, copy.samples(), 0, copy.samples().length);
+        return copy;
+    }
+
     /**
      * The standard error of the mean that single passes tell by how they differ: root of the mean square over the picture ÷
-     * mean of the picture. Not a number if there are less than two passes.
+     * mean of the picture. Not a number if there are less than two passes, or all are alike but for rounding.
      *
      * @param passes that have come to every pixel
      */
@@ -76,6 +86,7 @@ final class PassMean {
             sum += sums[i];
         }
         double variance = squares / sums.length / (passes - 1) / passes;
-        return Math.sqrt(variance) / (sum / sums.length / passes);
+        double noise = Math.sqrt(variance) / (sum / sums.length / passes);
+        return noise > ROUNDING ? noise : Double.NaN;
     }
 }

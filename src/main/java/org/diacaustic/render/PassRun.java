@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.DoubleConsumer;
+import org.diacaustic.image.LinearImage;
 import org.diacaustic.map.CausticMesh;
 import org.diacaustic.map.IlluminationMap;
 import org.diacaustic.map.PhotonCapacityException;
@@ -91,14 +92,15 @@ final class PassRun {
     }
 
     /**
-     * What has been made; what it holds changes with further passes.
+     * What has been made. What it counts grows with further passes.
      *
      * @param passes that were wanted
+     * @param image of the run; it changes with further passes, so whoever goes on needs a copy
      */
-    Rendering rendering(int passes) {
+    private Rendering rendering(int passes, LinearImage image) {
         boolean wholePasses = tilesDone.get() == begun * plan.tileCount();
         return new Rendering(
-                picture.image(),
+                image,
                 picture.differences(),
                 wholePasses ? picture.noise(begun) : Double.NaN,
                 counters,
@@ -107,6 +109,16 @@ final class PassRun {
                 tilesDone.get(),
                 passes * plan.tileCount(),
                 seconds);
+    }
+
+    /** What has been made of so many passes, if there are to be no more. */
+    Rendering rendering(int passes) {
+        return rendering(passes, picture.image());
+    }
+
+    /** What has been made of so many passes, apart from what further ones will change in the picture. */
+    Rendering renderingSoFar(int passes) {
+        return rendering(passes, picture.copy());
     }
 
     /** Runs the forward pass and makes a map of what it brings; nothing if it was stopped. */

@@ -100,10 +100,11 @@ public final class RenderPlan {
         return new RenderPlan(scene, settings, index, shaders, preProcessors);
     }
 
-    /** The same, but for the light rays of a pass. */
-    RenderPlan withRays(long rays) {
+    /** The same, but for the light rays of a pass, where 0 leaves them to the plan, and the number of passes. */
+    RenderPlan with(long rays, int passes) {
         Settings changed = settings.toBuilder()
-                .forward(settings.forward().toBuilder().rays(rays).build())
+                .forward(
+                        settings.forward().toBuilder().rays(rays).passes(passes).build())
                 .build();
         return new RenderPlan(scene, changed, index, shaders, preProcessors);
     }

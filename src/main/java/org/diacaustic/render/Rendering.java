@@ -70,7 +70,8 @@ public record Rendering(
             squares += (double) changes[i] * changes[i];
             sum += values[i];
         }
-        return Math.sqrt(squares / values.length) / (sum / values.length) * ERROR_OF_CHANGE;
+        // Nothing is wrong with a picture that stays black.
+        return squares == 0 ? 0 : Math.sqrt(squares / values.length) / (sum / values.length) * ERROR_OF_CHANGE;
     }
 
     /** How much was infinite or not a number, and where the first of it was; nothing if all was well. */
