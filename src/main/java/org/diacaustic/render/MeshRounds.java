@@ -8,7 +8,7 @@ final class MeshRounds extends Rounds {
     private static final long FIRST_RAYS = 1 << 16;
 
     /** As above if time is short: it is measured first. */
-    private static final long FIRST_RAYS_IN_TIME = 1 << 14;
+    private static final long FIRST_RAYS_IN_TIME = 1 << 12;
 
     private static final long MOST_RAYS = 1 << 30;
 
@@ -18,16 +18,16 @@ final class MeshRounds extends Rounds {
     /** The part of the time left that a round is meant to take, as it may take longer. */
     private static final double CAREFUL = 0.85;
 
-    /** If there is so much more time than the last round took, the next one measures again before all is spent on one. */
-    private static final double MUCH = 20;
+    /** A round that would be so many times the last is preceded by one between them, as so far nobody can see. */
+    private static final double FAR = 32;
 
-    private static final double MEASURING_PART = 1.0 / 6;
+    /** As above, after the first round, which tells least. */
+    private static final double FAR_AT_FIRST = 4;
 
     /** The part of all memory that maps may take: the collector needs some to work in. */
     private static final double MAPS_PART = 0.75;
 
     private final RayForecast forecast = new RayForecast();
-    private double lastSeconds;
 
     MeshRounds(RenderPlan plan, Goal goal, int threads, RoundSignal signal, ProgressListener listener) {
         super(plan, goal, threads, signal, listener);
@@ -80,10 +80,8 @@ final class MeshRounds extends Rounds {
 
     private long firstRays() {
         long given = plan.settings().forward().rays();
-        if (given > 0) {
-            return given;
-        }
-        return goal.deadline().isPresent() ? FIRST_RAYS_IN_TIME : FIRST_RAYS;
+        long first = given > 0 ? given : FIRST_RAYS;
+        return goal.deadline().isPresent() ? Math.min(first, FIRST_RAYS_IN_TIME) : first;
     }
 
     private Rendering render(long rays) {
@@ -96,17 +94,19 @@ final class MeshRounds extends Rounds {
             run.render(progress);
         }
         Rendering rendering = run.rendering(passes);
-        lastSeconds = (System.nanoTime() - start) * 1e-9;
+        double seconds = (System.nanoTime() - start) * 1e-9;
         double error = rendering.isComplete() ? rendering.errorEstimate() : Double.NaN;
         keep(rendering, rays, passes);
-        note(new Round(rays, passes, lastSeconds, error));
+        note(new Round(rays, passes, seconds, error));
         double lightSeconds =
                 rendering.forward().traceSeconds() + rendering.forward().buildSeconds();
         forecast.add(new RayForecast.Measured(
                 rays,
                 error,
                 lightSeconds,
-                lastSeconds - lightSeconds,
+                seconds - lightSeconds,
+                rendering.counters().nodesExamined(),
+                rendering.counters().intersectionTests(),
                 rendering.forward().mapBytes()));
         return rendering;
     }
@@ -116,10 +116,11 @@ final class MeshRounds extends Rounds {
     }
 
     private long raysInTime() {
-        double left = goal.secondsLeft();
-        if (left == Double.POSITIVE_INFINITY) {
+        if (goal.deadline().isEmpty()) {
             return Long.MAX_VALUE;
         }
-        return forecast.raysForSeconds(left > MUCH * lastSeconds ? MEASURING_PART * left : CAREFUL * left);
+        long fit = forecast.raysForSeconds(CAREFUL * goal.secondsLeft());
+        double growth = (double) fit / forecast.rays();
+        return growth > (forecast.isFirst() ? FAR_AT_FIRST : FAR) ? (long) (forecast.rays() * Math.sqrt(growth)) : fit;
     }
 }
