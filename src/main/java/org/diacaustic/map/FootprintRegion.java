@@ -184,14 +184,7 @@ final class FootprintRegion {
             double first = nx * (ax + x) + ny * (ay + y) + nz * (az + z);
             double second = nx * (bx + x) + ny * (by + y) + nz * (bz + z);
             double third = nx * (cx + x) + ny * (cy + y) + nz * (cz + z);
-            if (first <= 0 && second <= 0 && third <= 0) {
-                boolean inPlane = first == 0 && second == 0 && third == 0;
-                if (!(inPlane && sides.holdsPlane[side])) {
-                    return 0;
-                }
-            } else if (first < 0 || second < 0 || third < 0) {
-                clip.add(first, second, third);
-            }
+            clip.add(first, second, third, sides.holdsPlane[side]);
         }
         return clip.fraction();
     }
