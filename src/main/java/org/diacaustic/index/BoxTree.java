@@ -19,7 +19,7 @@ import org.diacaustic.parallel.Workers;
  * }</pre>
  *
  * <p>Leaves come in the order of their numbers. Every range is halved at the median of the items' places along the
- * widest side, as that of a {@link PointTree} is, so no arrangement of the items makes the tree deeper. The boxes are those
+ * widest side, as that of a {@link PointTree} is, or of their sizes where those differ more; so no arrangement of the items makes the tree deeper. The boxes are those
  * of the items, 24 bytes a node. Nothing is allocated by a walk. Immutable, and safe for many threads.
  */
 public final class BoxTree {
@@ -49,18 +49,26 @@ public final class BoxTree {
     }
 
     /**
-     * Builds the tree. All four arrays are brought into the tree's order. The same places and numbers give the same order
+     * Builds the tree. All arrays are brought into the tree's order. The same places and numbers give the same order
      * and tree for any number of threads, unless the workers are stopped, which leaves both unfinished.
      *
      * @param x where the items are, as are y and z; anywhere in their boxes, the middle being the best
+     * @param extents how large the items are: few large ones among many small ones are parted from them
      * @param numbers one for each item, all different: equal places are kept in their order
      * @param largestLeaf the largest number of items in a leaf, at least 1
      * @param items gives each thread what tells the box of each leaf, once {@code numbers} is in order
      * @throws IllegalArgumentException if a coordinate is not finite, or there are fewer coordinates than numbers
      */
     public static BoxTree over(
-            float[] x, float[] y, float[] z, int[] numbers, int largestLeaf, Supplier<Items> items, Workers workers) {
-        BoxTree tree = new BoxTree(new PointTreeBuilder(x, y, z, numbers, largestLeaf).build(workers));
+            float[] x,
+            float[] y,
+            float[] z,
+            float[] extents,
+            int[] numbers,
+            int largestLeaf,
+            Supplier<Items> items,
+            Workers workers) {
+        BoxTree tree = new BoxTree(new PointTreeBuilder(x, y, z, extents, numbers, largestLeaf).build(workers));
         if (tree.size > 0) {
             tree.measure(items, workers);
         }

@@ -10,6 +10,9 @@ public final class BoxWalk {
     public static final int LARGEST_PLANES = 6;
 
     /** What {@link #touches} returns for a box that is apart from the region. */
+    /** Makes up for the rounding of boxes that are larger than the region. */
+    private static final float WIDER = 1 + 0x1p-19f;
+
     static final int APART = -1;
 
     final int[] nodes = new int[BoxTree.LARGEST_DEPTH];
@@ -48,7 +51,7 @@ public final class BoxWalk {
      * Cuts off from the region what is on the negative side of a plane: where n · x + c is negative. The plane is asked in
      * single precision: what comes as near to it as the margin is taken to be cut by it.
      *
-     * @param margin on the scale of n · x + c, at least 2^-21 times the largest |n · x| in question
+     * @param margin on the scale of n · x + c, at least 2^-21 times the largest |n · x| within the region
      */
     public void cut(double nx, double ny, double nz, double c, double margin) {
         int place = 8 * planeCount++;
@@ -57,9 +60,9 @@ public final class BoxWalk {
         planes[place + 1] = (float) (scale * ny);
         planes[place + 2] = (float) (scale * nz);
         planes[place + 3] = (float) (2 * scale * c);
-        planes[place + 4] = Math.abs(planes[place]);
-        planes[place + 5] = Math.abs(planes[place + 1]);
-        planes[place + 6] = Math.abs(planes[place + 2]);
+        planes[place + 4] = WIDER * Math.abs(planes[place]);
+        planes[place + 5] = WIDER * Math.abs(planes[place + 1]);
+        planes[place + 6] = WIDER * Math.abs(planes[place + 2]);
         planes[place + 7] = (float) (2 * scale * margin);
     }
 

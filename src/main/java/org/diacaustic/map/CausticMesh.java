@@ -85,6 +85,7 @@ public final class CausticMesh implements IlluminationMap {
         float[] x = new float[size];
         float[] y = new float[size];
         float[] z = new float[size];
+        float[] extents = new float[size];
         int[] order = new int[size];
         workers.run(tasks(size), () -> {
             CellReader reader = new CellReader(store, lengthUnit);
@@ -95,6 +96,7 @@ public final class CausticMesh implements IlluminationMap {
                     x[cell] = (float) reader.middle(0);
                     y[cell] = (float) reader.middle(1);
                     z[cell] = (float) reader.middle(2);
+                    extents[cell] = (float) reader.extent();
                     order[cell] = cell;
                 }
             };
@@ -103,6 +105,7 @@ public final class CausticMesh implements IlluminationMap {
                 x,
                 y,
                 z,
+                extents,
                 order,
                 LARGEST_LEAF,
                 () -> {

@@ -41,6 +41,11 @@ final class CellReader {
         return 0.5 * (smallest(axis) + largest(axis));
     }
 
+    /** The longest side of the box. */
+    double extent() {
+        return Math.max(largest(0) - smallest(0), Math.max(largest(1) - smallest(1), largest(2) - smallest(2)));
+    }
+
     /** The largest of all coordinates, without sign. */
     double farthest() {
         double farthest = 0;

@@ -46,6 +46,9 @@ final class FootprintRegion {
 
     private boolean lastAccepted;
 
+    /** What rounding in boxes may move near the footprint, in units of length. */
+    private double rounding;
+
     FootprintRegion(CausticMesh mesh) {
         this.mesh = mesh;
     }
@@ -80,8 +83,8 @@ final class FootprintRegion {
         mesh.tree.start(walk);
     }
 
-    private static double rounding(double nx, double ny, double nz) {
-        return ROUNDING * (Math.abs(nx) + Math.abs(ny) + Math.abs(nz));
+    private double rounding(double nx, double ny, double nz) {
+        return rounding * (Math.abs(nx) + Math.abs(ny) + Math.abs(nz));
     }
 
     /** Sets the box of the walk: around the corners, and as far along the eye's rays as light may be. */
@@ -109,13 +112,16 @@ final class FootprintRegion {
             highY = Math.max(highY, y + dy);
             highZ = Math.max(highZ, z + dz);
         }
+        double farthest = Math.max(Math.max(Math.max(-lowX, highX), Math.max(-lowY, highY)), Math.max(-lowZ, highZ));
+        // Of a region without end only the mesh's own size is known.
+        rounding = ROUNDING * (farthest < Double.POSITIVE_INFINITY ? farthest * inverseUnit : 1);
         walk.box(
-                lowX * inverseUnit - ROUNDING,
-                lowY * inverseUnit - ROUNDING,
-                lowZ * inverseUnit - ROUNDING,
-                highX * inverseUnit + ROUNDING,
-                highY * inverseUnit + ROUNDING,
-                highZ * inverseUnit + ROUNDING);
+                lowX * inverseUnit - rounding,
+                lowY * inverseUnit - rounding,
+                lowZ * inverseUnit - rounding,
+                highX * inverseUnit + rounding,
+                highY * inverseUnit + rounding,
+                highZ * inverseUnit + rounding);
     }
 
     /** The next leaf that the footprint touches, or {@link BoxTree#DONE}. */

@@ -15,6 +15,18 @@ public abstract class EmissionChart {
      */
     public abstract void aim(double p, double q, LightRay ray);
 
+    /** How much of light space a unit of the square's area stands for at (p, q): what {@link #aim} sets as measure. */
+    public abstract double density(double p, double q);
+
+    /** How much of light space lies in a triangle of the square, without error where the density is quadratic in it. */
+    final double measure(double p0, double q0, double p1, double q1, double p2, double q2) {
+        double area = 0.5 * Math.abs((p1 - p0) * (q2 - q0) - (p2 - p0) * (q1 - q0));
+        double mean = density(0.5 * (p0 + p1), 0.5 * (q0 + q1))
+                + density(0.5 * (p1 + p2), 0.5 * (q1 + q2))
+                + density(0.5 * (p2 + p0), 0.5 * (q2 + q0));
+        return area * mean / 3;
+    }
+
     /** The extent along p, in units common to the charts of one light point: lattices have the same step everywhere. */
     public abstract double width();
 

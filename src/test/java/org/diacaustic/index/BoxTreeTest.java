@@ -228,7 +228,15 @@ class BoxTreeTest {
 
         /** Middles are in the tree's order afterwards, extents in the first. */
         BoxTree tree(Workers workers) {
-            return BoxTree.over(middle[0], middle[1], middle[2], numbers, LEAF, () -> this::box, workers);
+            return BoxTree.over(
+                    middle[0],
+                    middle[1],
+                    middle[2],
+                    new float[numbers.length],
+                    numbers,
+                    LEAF,
+                    () -> this::box,
+                    workers);
         }
 
         private void box(int leaf, int first, int end, float[] boxes, int place) {
