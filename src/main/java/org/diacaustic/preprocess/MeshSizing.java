@@ -113,7 +113,7 @@ final class MeshSizing {
 
     /** So many that the cells of a point, and the points of a lamp, are about equally far apart where they land. */
     private static int lightPoints(Beam beam, double rays) {
-        return beam.pointCount() == 1 ? 1 : (int) Math.max(4, Math.min(1 << 16, Math.rint(Math.sqrt(rays) / 4)));
+        return beam.pointCount() == 1 ? 1 : (int) Math.max(4, Math.min(1 << 16, Math.rint(Math.sqrt(rays) / 8)));
     }
 
     /**
@@ -133,8 +133,6 @@ final class MeshSizing {
             raysABaseCell += RAYS_A_QUARTERING * mixed[depth];
             depth++;
         }
-        System.err.println("PILOT " + pilot.beam().aim() + " rays " + rays + " base " + rays / raysABaseCell + " mixed "
-                + java.util.Arrays.toString(mixed) + " depth " + depth);
         return new Size(Math.max(4, rays / raysABaseCell), depth);
     }
 
