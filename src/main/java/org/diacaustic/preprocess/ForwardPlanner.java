@@ -76,10 +76,13 @@ public final class ForwardPlanner {
         for (int i = 0; i < targets.size(); i++) {
             Target target = targets.get(i);
             Beam beam = beam(i, target, Math.max(1, Math.round(rays * share(target, targets))));
-            preProcessor.refusal(beam).ifPresent(reason -> {
+            boolean isMesh = map == MapName.CAUSTIC_MESH;
+            (isMesh ? preProcessor.cellRefusal(beam) : preProcessor.refusal(beam)).ifPresent(reason -> {
                 throw new ForwardPlanException("preprocessor '" + preProcessor.name() + "' cannot serve light "
                         + (scene.lights().indexOf(target.light) + 1) + ", because " + reason
-                        + "; take cube, adaptive, random or monte-carlo");
+                        + (isMesh
+                                ? "; take own-map, cube or adaptive"
+                                : "; take cube, adaptive, random or monte-carlo"));
             });
             beams.add(beam);
             powerUnit = Math.max(powerUnit, typicalPower(beam, target, isWeighted));

@@ -2,6 +2,7 @@ package org.diacaustic.preprocess;
 
 import java.util.List;
 import org.diacaustic.light.LightPoint;
+import org.diacaustic.math.Rgb;
 import org.diacaustic.math.SampleStream;
 
 /** Looks with a few rays into a beam, before it is cut into cells, to find what that will take. Owned by one task. */
@@ -17,9 +18,12 @@ final class MeshPilot {
 
     private final Beam beam;
     private final LeafTracer tracer;
+    private double tornPower;
+    private double allPower;
     private final LeafTable leaves = new LeafTable();
     private final LightPoint middle = new LightPoint();
     private final LightRay ray = new LightRay();
+    private final Rgb power = new Rgb();
     private final List<EmissionChart> charts;
 
     /** @param counters to which the rays are added */
@@ -34,16 +38,16 @@ final class MeshPilot {
     /** About the power, in W, that the beam brings to diffuse surfaces, from the middle of its light. */
     double power(long rays) {
         int side = (int) Math.max(4, Math.min(SIDE, Math.sqrt(rays * SHARE)));
-        double power = 0;
+        double sum = 0;
         for (EmissionChart chart : charts) {
             leaves.clear();
             for (int i = 0; i < side * side; i++) {
                 chart.aim((i % side + 0.5) / side, (i / side + 0.5) / side, ray);
                 int number = tracer.trace(beam, middle, ray, 1);
-                power += ray.measure * leaves.booked(number, LeafTracer.STORED);
+                sum += ray.measure * leaves.booked(number, LeafTracer.STORED);
             }
         }
-        return power / (side * side);
+        return sum / (side * side);
     }
 
     /**
@@ -82,6 +86,31 @@ final class MeshPilot {
         return mixed;
     }
 
+    /** The part of the power whose cells would be points after so many quarterings. */
+    double tornPart(double baseCells, int levels, double rays, SampleStream random) {
+        tornPower = 0;
+        allPower = 0;
+        mixed(baseCells, levels, rays, random);
+        return allPower > 0 ? tornPower / allPower : 0;
+    }
+
+    /** Adds up what power in a cell comes from all of its corners, and what does not. */
+    private void weigh(int p, int q, int r, int s, double measure) {
+        int[] corners = {p, q, r, s};
+        for (int corner : corners) {
+            for (int leaf = leaves.firstLeaf(corner); leaf < leaves.endLeaf(corner); leaf++) {
+                power.set(0, 0, 0);
+                leaves.addPower(leaf, measure, power);
+                allPower += power.sum();
+                boolean isShared = leaves.alike(leaf, p) >= 0
+                        && leaves.alike(leaf, q) >= 0
+                        && leaves.alike(leaf, r) >= 0
+                        && leaves.alike(leaf, s) >= 0;
+                tornPower += isShared ? 0 : power.sum();
+            }
+        }
+    }
+
     /** Counts a base cell if it is mixed, and follows one of its quarters, which stands for all, to the next level. */
     private void look(EmissionChart chart, double p, double q, double width, double height, double[] mixed) {
         SampleStream random = new SampleStream();
@@ -94,13 +123,15 @@ final class MeshPilot {
             double right = left + width * size;
             double bottom = top + height * size;
             int inside = trace(chart, 0.5 * (left + right), 0.5 * (top + bottom));
-            boolean agrees = leaves.agree(
-                    trace(chart, left, top),
-                    trace(chart, right, top),
-                    trace(chart, right, bottom),
-                    trace(chart, left, bottom),
-                    inside,
-                    MeshPatch.worthwhile(mixed.length - level));
+            int corner = trace(chart, left, top);
+            int second = trace(chart, right, top);
+            int third = trace(chart, right, bottom);
+            int fourth = trace(chart, left, bottom);
+            double worthwhile = MeshPatch.worthwhile(mixed.length - level);
+            boolean agrees = leaves.agree(corner, second, third, fourth, inside, worthwhile);
+            if (agrees || level == mixed.length - 1) {
+                weigh(corner, second, third, fourth, size * size * stands * chart.density(left, top));
+            }
             if (agrees) {
                 return;
             }
