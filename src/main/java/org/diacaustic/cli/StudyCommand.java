@@ -37,8 +37,8 @@ import picocli.CommandLine.TypeConversionException;
         versionProvider = Version.class,
         description = {
             "Renders a scene with several techniques and numbers of light rays, and holds each picture against a reference.",
-            "Counts pixels that show one diffuse object and nothing else. The reference is light traced at random straight into"
-                    + " the pixels, unless one is given. Writes DIR/study.json and the pictures."
+            "Counts pixels that show one diffuse object and nothing else. The reference is light traced straight into the"
+                    + " pixels, without any map, unless one is given. Writes DIR/study.json and the pictures."
         })
 final class StudyCommand implements Callable<Integer> {
     private static final ReferenceBudget DEFAULT_REFERENCE = new ReferenceBudget.Seconds(60);
@@ -75,7 +75,7 @@ final class StudyCommand implements Callable<Integer> {
     @Option(
             names = "--reference-preprocessor",
             paramLabel = "P",
-            defaultValue = "random",
+            defaultValue = ReferenceRender.PRE_PROCESSOR,
             description = "Chooses the reference's light rays (default: ${DEFAULT-VALUE}).")
     private String referencePreProcessor;
 
