@@ -22,6 +22,7 @@ import org.diacaustic.study.Study;
 import org.diacaustic.study.StudyReport;
 import org.diacaustic.study.Technique;
 import org.diacaustic.study.Techniques;
+import org.diacaustic.study.WaterSheetScene;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
@@ -46,13 +47,12 @@ final class StudyCommand implements Callable<Integer> {
     @Spec
     private picocli.CommandLine.Model.CommandSpec spec;
 
-    @Parameters(paramLabel = "SCENE", description = "Scene file, YAML or JSON.")
+    @Parameters(paramLabel = "SCENE", arity = "0..1", description = "Scene file, YAML or JSON.")
     private Path scene;
 
     @Option(
             names = {"-o", "--output"},
             paramLabel = "DIR",
-            required = true,
             description = "Folder for what is written; made if it is not there.")
     private Path output;
 
@@ -95,6 +95,13 @@ final class StudyCommand implements Callable<Integer> {
                     "Names, with commas between them, or NAME:key=value:key=value with keys of the scene's settings.")
     private List<Technique> techniques;
 
+    @Option(
+            names = "--write-scenes",
+            paramLabel = "DIR",
+            description =
+                    "Writes scenes that are too large to be kept with the others into a folder, and does no more.")
+    private Path scenes;
+
     @Option(names = "--size", paramLabel = "WxH", converter = PixelSize.Converter.class, description = "In pixels.")
     private PixelSize size;
 
@@ -126,17 +133,20 @@ final class StudyCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        checkOptions();
-        if (Files.exists(output) && !Files.isDirectory(output)) {
-            throw new CommandFailure(ExitCode.FILE, output + ": is a file, not a folder");
+        if (scenes != null) {
+            requireFolder(scenes);
+            System.out.println(WaterSheetScene.write(scenes) + ": written, with its mesh beside it");
+            return ExitCode.DONE;
         }
-        printWarnings();
+        checkOptions();
+        requireFolder(output);
+        List<Technique> chosen = techniques == null ? Techniques.known() : techniques;
+        checkScene(chosen);
         int workers = threads == 0 ? Runtime.getRuntime().availableProcessors() : threads;
         SceneSource source = extra -> read(extra, new Problems());
         Reference reference = reference(source, workers);
         Files.createDirectories(output);
         WholeFile.checkWritable(output.resolve("study.json"));
-        List<Technique> chosen = techniques == null ? Techniques.known() : techniques;
         StudyReport report = new Study(source, reference, chosen, rays).run(workers, progress.listener(System.err));
         Path written = report.write(output);
         System.out.print(report.table());
@@ -144,7 +154,17 @@ final class StudyCommand implements Callable<Integer> {
         return ExitCode.DONE;
     }
 
+    private static void requireFolder(Path folder) {
+        if (Files.exists(folder) && !Files.isDirectory(folder)) {
+            throw new CommandFailure(ExitCode.FILE, folder + ": is a file, not a folder");
+        }
+    }
+
     private void checkOptions() {
+        if (scene == null || output == null) {
+            throw new ParameterException(
+                    spec.commandLine(), "missing required " + (scene == null ? "parameter: SCENE" : "option -o DIR"));
+        }
         if (threads < 0) {
             throw new ParameterException(spec.commandLine(), "--threads must be at least 0, but is " + threads);
         }
@@ -172,16 +192,19 @@ final class StudyCommand implements Callable<Integer> {
         } else if (referenceTime != null) {
             budget = new ReferenceBudget.Seconds(referenceTime);
         }
-        return new ReferenceRender(source, referencePreProcessor, workers).run(budget, part -> {});
+        return new ReferenceRender(source, referencePreProcessor, workers).run(budget, progress.listener(System.err));
     }
 
-    /** Once, for the scene is read for every technique. */
-    private void printWarnings() throws IOException {
+    /** Finds what is wrong with the scene or a technique's settings before time is spent; warnings are printed once. */
+    private void checkScene(List<Technique> chosen) throws IOException {
         Problems problems = new Problems();
         read(Map.of(), problems);
         String lines = problems.toString();
         if (!lines.isEmpty()) {
             System.err.println(lines);
+        }
+        for (Technique technique : chosen) {
+            read(technique.settings(), new Problems());
         }
     }
 

@@ -3,9 +3,9 @@ package org.diacaustic.study;
 import java.io.IOException;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.DoubleConsumer;
 import org.diacaustic.image.LinearImage;
 import org.diacaustic.parallel.Workers;
+import org.diacaustic.render.ProgressListener;
 
 /** Makes a reference that owes nothing to any map: see {@link LightTracedPicture}. */
 public final class ReferenceRender {
@@ -16,6 +16,9 @@ public final class ReferenceRender {
 
     private static final int FEWEST_TIMED_PASSES = 4;
     private static final long RAYS_A_TIMED_PASS = 1 << 19;
+
+    /** What progress towards a time is told in. */
+    private static final int PARTS = 1000;
 
     /** Chooses light rays if nothing else is said: evenly, shifted by chance, with a third of the noise of random ones. */
     public static final String PRE_PROCESSOR = "cube";
@@ -37,10 +40,10 @@ public final class ReferenceRender {
     /**
      * Makes the reference.
      *
-     * @param progress hears which part is done, 0 to 1
+     * @param listener hears which part is done
      * @throws IllegalArgumentException if the camera has a lens, or there is no light to be traced
      */
-    public Reference run(ReferenceBudget budget, DoubleConsumer progress) {
+    public Reference run(ReferenceBudget budget, ProgressListener listener) {
         long start = System.nanoTime();
         LinearImage direct = render.direct();
         // Techniques that are held against it use the seed itself, and must share no ray with it.
@@ -51,14 +54,14 @@ public final class ReferenceRender {
             traced = render.traced(Math.max(1, rays.count() / passes), seed);
             for (int pass = 0; pass < passes; pass++) {
                 traced.add(pass);
-                progress.accept((pass + 1.0) / passes);
+                listener.progressed(pass + 1, passes);
             }
         } else {
             double seconds = ((ReferenceBudget.Seconds) budget).count();
             traced = render.traced(RAYS_A_TIMED_PASS, seed);
             while (traced.passes() < FEWEST_TIMED_PASSES || since(start) < seconds) {
                 traced.add(traced.passes());
-                progress.accept(Math.min(1, since(start) / seconds));
+                listener.progressed((int) Math.ceil(PARTS * Math.min(1, since(start) / seconds)), PARTS);
             }
         }
         return new Reference(

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.IntConsumer;
 import org.diacaustic.parallel.Workers;
 import org.diacaustic.render.PlanException;
 import org.diacaustic.render.ProgressListener;
@@ -46,8 +47,7 @@ public final class Study {
         return new StudyReport(reference, studies, threads);
     }
 
-    private TechniqueStudy study(Technique technique, int threads, java.util.function.IntConsumer progress)
-            throws IOException {
+    private TechniqueStudy study(Technique technique, int threads, IntConsumer progress) throws IOException {
         TechniqueRender render = new TechniqueRender(source, technique, new Workers(threads));
         DiffusePixels pixels = DiffusePixels.of(render.scene());
         List<StudyRun> runs = new ArrayList<>();
