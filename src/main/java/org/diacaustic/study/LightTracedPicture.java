@@ -1,5 +1,6 @@
 package org.diacaustic.study;
 
+import java.util.function.IntConsumer;
 import org.diacaustic.image.LinearImage;
 import org.diacaustic.map.PhotonStore;
 import org.diacaustic.math.Rgb;
@@ -12,7 +13,7 @@ import org.diacaustic.scene.Scene;
 /**
  * Light that reaches diffuse surfaces over specular ones, traced from the lamps straight into the pixels of a pinhole camera:
  * the mean over each pixel, without map, kernel or footprint, so that it can judge all of them. It holds what the eye sees
- * directly; what it sees mirrored, through glass, or lit without any detour is not in it. The numbers of the passes say
+ * directly; what it sees mirrored, through glass, or lit without any detour is not in it. The numbers of the batches say
  * everything: the picture is the same on any number of threads.
  */
 final class LightTracedPicture {
@@ -25,6 +26,8 @@ final class LightTracedPicture {
     private final Workers workers;
     private final PinholeView view;
     private final PixelBatches batches;
+    private final int strips;
+    private final IntConsumer turnTo;
     private final int[] pixels = new int[PHOTONS_A_ROUND];
     private final double[] radiances = new double[3 * PHOTONS_A_ROUND];
     private long lightRays;
@@ -32,9 +35,13 @@ final class LightTracedPicture {
 
     /**
      * @param plan whose forward pass is run again and again; its rays must carry their flux
+     * @param strips passes of a batch, which are the light only together
+     * @param turnTo is told the number of the strip before each pass
      * @throws IllegalArgumentException if the camera has a lens, or there is no light to be traced
      */
-    LightTracedPicture(RenderPlan plan, Workers workers) {
+    LightTracedPicture(RenderPlan plan, Workers workers, int strips, IntConsumer turnTo) {
+        this.strips = strips;
+        this.turnTo = turnTo;
         this.plan = plan;
         this.scene = plan.scene();
         this.forward = plan.forward()
@@ -48,17 +55,18 @@ final class LightTracedPicture {
         this.batches = new PixelBatches(scene.camera().width(), scene.camera().height());
     }
 
-    /** Runs the forward pass of a number, and adds what it brings. */
-    void add(int pass) {
-        ForwardPass traced = new ForwardPass(forward, pass, workers).run();
-        PhotonStore photons = traced.photons();
-        for (int start = 0; start < photons.size() && !workers.stop().isSet(); start += PHOTONS_A_ROUND) {
-            put(photons, start, Math.min(PHOTONS_A_ROUND, photons.size() - start));
-        }
-        if (!workers.stop().isSet()) {
-            batches.next();
+    /** Runs the forward passes of a batch, and adds what they bring. */
+    void add(int batch) {
+        for (int strip = 0; strip < strips; strip++) {
+            turnTo.accept(strip);
+            ForwardPass traced = new ForwardPass(forward, batch * strips + strip, workers).run();
+            PhotonStore photons = traced.photons();
+            for (int start = 0; start < photons.size(); start += PHOTONS_A_ROUND) {
+                put(photons, start, Math.min(PHOTONS_A_ROUND, photons.size() - start));
+            }
             lightRays += traced.counters().lightRays();
         }
+        batches.next();
     }
 
     /** Finds the photons' pixels on all threads, and then adds them up in the order of the photons. */
@@ -74,10 +82,14 @@ final class LightTracedPicture {
                 }
             };
         });
-        for (int i = 0; i < count && !workers.stop().isSet(); i++) {
+        for (int i = 0; i < count; i++) {
             if (pixels[i] >= 0) {
                 photonsSeen++;
-                batches.add(pixels[i], radiances[3 * i], radiances[3 * i + 1], radiances[3 * i + 2]);
+                batches.add(
+                        pixels[i],
+                        radiances[3 * i] / strips,
+                        radiances[3 * i + 1] / strips,
+                        radiances[3 * i + 2] / strips);
             }
         }
     }
@@ -88,18 +100,18 @@ final class LightTracedPicture {
         radiances[3 * i + 2] = radiance.blue;
     }
 
-    /** The light, as the mean of all passes. */
+    /** The light, as the mean of all batches. */
     LinearImage picture() {
         return batches.mean();
     }
 
-    /** How far each channel of each pixel may be off; not a number after a single pass. */
+    /** How far each channel of each pixel may be off; not a number after a single batch. */
     LinearImage standardError() {
         return batches.standardError();
     }
 
-    /** Passes that were added. */
-    int passes() {
+    /** Batches that were added: independent pictures. */
+    int batches() {
         return batches.count();
     }
 

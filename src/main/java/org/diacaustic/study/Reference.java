@@ -14,11 +14,11 @@ import org.diacaustic.image.LinearImage;
  * @param picture linear radiance
  * @param standardError how far each channel of each pixel may be off; nothing if that is not known
  * @param lightRays light rays followed for it, with all that became of them; 0 if it was read
- * @param passes independent passes that it is the mean of; 0 if it was read
+ * @param batches independent pictures that it is the mean of; 0 if it was read
  * @param seconds that it took, wall clock
  */
 public record Reference(
-        LinearImage picture, Optional<LinearImage> standardError, long lightRays, int passes, double seconds) {
+        LinearImage picture, Optional<LinearImage> standardError, long lightRays, int batches, double seconds) {
     private static final String ERROR_ENDING = ".error.pfm";
 
     /** Reads a picture, and its standard error if that lies beside it: NAME.error.pfm beside NAME.pfm. */

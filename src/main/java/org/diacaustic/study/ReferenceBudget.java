@@ -17,7 +17,7 @@ public sealed interface ReferenceBudget {
     }
 
     /**
-     * A time. What comes of it depends on the machine; the number of passes says what was done.
+     * A time, about. How many rays that makes depends on the machine.
      *
      * @param count wall clock, positive
      */

@@ -9,19 +9,14 @@ import org.diacaustic.render.ProgressListener;
 
 /** Makes a reference that owes nothing to any map: see {@link LightTracedPicture}. */
 public final class ReferenceRender {
-    /** Passes tell how far their mean may be off, so they must be some; but large ones spread their rays more evenly. */
-    private static final int FEWEST_PASSES = 16;
+    /** They tell how far their mean may be off, so they must be some; but many rays at once are spread more evenly. */
+    private static final int BATCHES = 16;
 
-    private static final long MOST_RAYS_A_PASS = 1 << 20;
+    /** What is traced to see how long that takes. */
+    private static final long RAYS_OF_A_TRIAL = 1 << 17;
 
-    private static final int FEWEST_TIMED_PASSES = 4;
-    private static final long RAYS_A_TIMED_PASS = 1 << 19;
-
-    /** What progress towards a time is told in. */
-    private static final int PARTS = 1000;
-
-    /** Chooses light rays if nothing else is said: evenly, shifted by chance, with a third of the noise of random ones. */
-    public static final String PRE_PROCESSOR = "cube";
+    /** Chooses light rays if nothing else is said: {@link JitteredPreProcessor}. */
+    public static final String PRE_PROCESSOR = JitteredPreProcessor.NAME;
 
     private final TechniqueRender render;
     private final Workers workers;
@@ -48,28 +43,31 @@ public final class ReferenceRender {
         LinearImage direct = render.direct();
         // Techniques that are held against it use the seed itself, and must share no ray with it.
         long seed = ~render.seed();
-        LightTracedPicture traced;
-        if (budget instanceof ReferenceBudget.Rays rays) {
-            int passes = (int) Math.max(FEWEST_PASSES, -Math.floorDiv(-rays.count(), MOST_RAYS_A_PASS));
-            traced = render.traced(Math.max(1, rays.count() / passes), seed);
-            for (int pass = 0; pass < passes; pass++) {
-                traced.add(pass);
-                listener.progressed(pass + 1, passes);
-            }
-        } else {
-            double seconds = ((ReferenceBudget.Seconds) budget).count();
-            traced = render.traced(RAYS_A_TIMED_PASS, seed);
-            while (traced.passes() < FEWEST_TIMED_PASSES || since(start) < seconds) {
-                traced.add(traced.passes());
-                listener.progressed((int) Math.ceil(PARTS * Math.min(1, since(start) / seconds)), PARTS);
-            }
+        long rays = budget instanceof ReferenceBudget.Rays given
+                ? given.count()
+                : raysWithin(((ReferenceBudget.Seconds) budget).count() - since(start), seed);
+        LightTracedPicture traced = render.traced(Math.max(1, rays / BATCHES), seed);
+        for (int batch = 0; batch < BATCHES; batch++) {
+            traced.add(batch);
+            listener.progressed(batch + 1, BATCHES);
         }
         return new Reference(
                 TechniqueRender.sum(direct, traced.picture()),
                 Optional.of(traced.standardError()),
                 traced.lightRays(),
-                traced.passes(),
+                traced.batches(),
                 since(start));
+    }
+
+    /** About as many rays as can be traced in the time. */
+    private long raysWithin(double seconds, long seed) {
+        LightTracedPicture trial = render.traced(RAYS_OF_A_TRIAL, seed);
+        // The first is slow: it is the one from which the virtual machine learns.
+        trial.add(0);
+        long start = System.nanoTime();
+        trial.add(1);
+        double secondsPerRay = since(start) / RAYS_OF_A_TRIAL;
+        return (long) Math.max(RAYS_OF_A_TRIAL, Math.min(1e15, seconds / secondsPerRay));
     }
 
     private static double since(long start) {

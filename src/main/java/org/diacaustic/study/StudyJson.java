@@ -28,7 +28,7 @@ final class StudyJson {
         json.put("width", reference.picture().width());
         json.put("height", reference.picture().height());
         json.put("lightRays", reference.lightRays());
-        json.put("passes", reference.passes());
+        json.put("batches", reference.batches());
         json.put("seconds", reference.seconds());
         json.put("hasStandardError", reference.standardError().isPresent());
         json.end();

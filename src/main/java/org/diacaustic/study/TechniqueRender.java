@@ -1,9 +1,13 @@
 package org.diacaustic.study;
 
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import org.diacaustic.image.LinearImage;
 import org.diacaustic.parallel.Workers;
+import org.diacaustic.preprocess.PreProcessor;
+import org.diacaustic.preprocess.PreProcessors;
 import org.diacaustic.render.RenderJob;
 import org.diacaustic.render.RenderPlan;
 import org.diacaustic.render.Rendering;
@@ -27,7 +31,7 @@ final class TechniqueRender {
             "lattice-shift", "true",
             "passes", "1");
 
-    /** Rays of a pass, so that its photons take little memory. */
+    /** The most rays of a pass, so that its photons take little memory. */
     private static final long RAYS_A_PASS = 1 << 20;
 
     private final Technique technique;
@@ -71,18 +75,16 @@ final class TechniqueRender {
             Rendering rendering = job(plan(Math.max(1, rays / passes), seed())).run();
             return new Made(rendering.image(), rendering.forward().counters().lightRays());
         }
-        int passes = (int) ((rays + RAYS_A_PASS - 1) / RAYS_A_PASS);
-        LightTracedPicture traced = traced(rays / passes, seed());
-        for (int pass = 0; pass < passes; pass++) {
-            traced.add(pass);
-        }
-        LinearImage picture = sum(direct(), traced.picture());
-        return new Made(picture, traced.lightRays());
+        LightTracedPicture traced = traced(rays, seed());
+        traced.add(0);
+        return new Made(sum(direct(), traced.picture()), traced.lightRays());
     }
 
-    /** Light traced to pixels, with so many rays a pass and a seed of its own; no pass was run yet. */
-    LightTracedPicture traced(long raysAPass, long seed) {
-        return new LightTracedPicture(plan(raysAPass, seed), workers);
+    /** Light traced to pixels, with so many rays a batch and a seed of its own; no batch was run yet. */
+    LightTracedPicture traced(long raysABatch, long seed) {
+        int strips = (int) ((raysABatch + RAYS_A_PASS - 1) / RAYS_A_PASS);
+        JitteredPreProcessor jittered = new JitteredPreProcessor(strips);
+        return new LightTracedPicture(plan(raysABatch / strips, seed, jittered), workers, strips, jittered::turnTo);
     }
 
     /** What is seen without the light that is refracted or mirrored onto surfaces. */
@@ -96,12 +98,14 @@ final class TechniqueRender {
         return job(RenderPlan.of(file.scene(), settings)).run().image();
     }
 
-    private RenderPlan plan(long raysAPass, long seed) {
+    private RenderPlan plan(long raysAPass, long seed, PreProcessor... own) {
         ForwardSettings forward =
                 file.settings().forward().toBuilder().rays(raysAPass).build();
-        return RenderPlan.of(
-                file.scene(),
-                file.settings().toBuilder().forward(forward).seed(seed).build());
+        Settings settings =
+                file.settings().toBuilder().forward(forward).seed(seed).build();
+        List<PreProcessor> additional = new ArrayList<>(PreProcessors.installed());
+        additional.addAll(List.of(own));
+        return RenderPlan.of(file.scene(), settings, List.of(), additional);
     }
 
     private RenderJob job(RenderPlan plan) {

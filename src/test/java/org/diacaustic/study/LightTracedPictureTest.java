@@ -29,7 +29,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class LightTracedPictureTest {
-    private static final int PASSES = 16;
+    private static final int BATCHES = 16;
     private static final int SIDE = 3;
 
     /** How wide the floor is that the pictures show. */
@@ -126,9 +126,10 @@ class LightTracedPictureTest {
                 .forward(forward)
                 .maps(MapSettings.builder().map(MapName.PHOTON_MAP).build())
                 .build();
-        LightTracedPicture picture = new LightTracedPicture(RenderPlan.of(scene, settings), new Workers(threads));
-        for (int pass = 0; pass < PASSES; pass++) {
-            picture.add(pass);
+        LightTracedPicture picture =
+                new LightTracedPicture(RenderPlan.of(scene, settings), new Workers(threads), 1, strip -> {});
+        for (int batch = 0; batch < BATCHES; batch++) {
+            picture.add(batch);
         }
         return picture;
     }
@@ -223,7 +224,7 @@ class LightTracedPictureTest {
                 .build();
         RenderPlan plan = RenderPlan.of(dull, Settings.physical());
         Workers workers = new Workers(1);
-        assertThatThrownBy(() -> new LightTracedPicture(plan, workers))
+        assertThatThrownBy(() -> new LightTracedPicture(plan, workers, 1, strip -> {}))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("there is none to trace");
     }
