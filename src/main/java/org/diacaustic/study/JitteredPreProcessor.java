@@ -1,5 +1,6 @@
 package org.diacaustic.study;
 
+import java.util.List;
 import org.diacaustic.light.LightPoint;
 import org.diacaustic.math.SampleStream;
 import org.diacaustic.preprocess.Beam;
@@ -38,24 +39,28 @@ final class JitteredPreProcessor implements PreProcessor {
     /** Rays carry the flux of the whole, as those of any pass do: the mean over all strips is the light. */
     @Override
     public void run(Beam beam, ForwardPass pass) {
-        EmissionChart middle = beam.uniformChart(middle(beam));
-        double aspect = middle.width() * strips / middle.height();
-        long columns = Math.max(1, (long) Math.rint(Math.sqrt(beam.rays() * aspect)));
-        long rows = Math.max(1, beam.rays() / columns);
-        double share = 1.0 / (columns * rows);
-        pass.shootRays(columns * rows, (number, emitter) -> {
-            SampleStream random = emitter.random(number);
-            EmissionChart chart = beam.uniformChart(emitter.point(random.nextDouble(), random.nextDouble()));
-            double p = (number % columns + random.nextDouble()) / columns;
-            double q = (strip + (number / columns + random.nextDouble()) / rows) / strips;
-            chart.aim(p, q, emitter.ray());
-            emitter.shoot(share);
-        });
-    }
-
-    private static LightPoint middle(Beam beam) {
         LightPoint point = new LightPoint();
         beam.light().emitFrom(0.5, 0.5, point);
-        return point;
+        // Of a light with an extent each ray has a point of its own, and a chart.
+        boolean hasExtent = beam.light().isVisible();
+        List<EmissionChart> charts = hasExtent ? List.of(beam.uniformChart(point)) : beam.cubeCharts(point);
+        double area = 0;
+        for (EmissionChart chart : charts) {
+            area += chart.width() * chart.height();
+        }
+        double step = Math.sqrt(area / strips / beam.rays());
+        for (EmissionChart chart : charts) {
+            long columns = Math.max(1, (long) Math.rint(chart.width() / step));
+            long rows = Math.max(1, (long) Math.rint(chart.height() / strips / step));
+            double share = 1.0 / (columns * rows);
+            pass.shootRays(columns * rows, (number, emitter) -> {
+                SampleStream random = emitter.random(number);
+                double p = (number % columns + random.nextDouble()) / columns;
+                double q = (strip + (number / columns + random.nextDouble()) / rows) / strips;
+                LightPoint from = emitter.point(random.nextDouble(), random.nextDouble());
+                (hasExtent ? beam.uniformChart(from) : chart).aim(p, q, emitter.ray());
+                emitter.shoot(share);
+            });
+        }
     }
 }

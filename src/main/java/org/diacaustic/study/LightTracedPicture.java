@@ -2,12 +2,16 @@ package org.diacaustic.study;
 
 import java.util.function.IntConsumer;
 import org.diacaustic.image.LinearImage;
+import org.diacaustic.map.PhotonCapacityException;
 import org.diacaustic.map.PhotonStore;
 import org.diacaustic.math.Rgb;
 import org.diacaustic.parallel.Workers;
 import org.diacaustic.preprocess.ForwardPass;
 import org.diacaustic.preprocess.ForwardPlan;
+import org.diacaustic.preprocess.ForwardPlanException;
+import org.diacaustic.render.PlanException;
 import org.diacaustic.render.RenderPlan;
+import org.diacaustic.render.ResourceLimitException;
 import org.diacaustic.scene.Scene;
 
 /**
@@ -55,11 +59,16 @@ final class LightTracedPicture {
         this.batches = new PixelBatches(scene.camera().width(), scene.camera().height());
     }
 
-    /** Runs the forward passes of a batch, and adds what they bring. */
+    /**
+     * Runs the forward passes of a batch, and adds what they bring.
+     *
+     * @throws PlanException if the pre-processor cannot serve the scene
+     * @throws ResourceLimitException if there are more photons than fit in memory
+     */
     void add(int batch) {
         for (int strip = 0; strip < strips; strip++) {
             turnTo.accept(strip);
-            ForwardPass traced = new ForwardPass(forward, batch * strips + strip, workers).run();
+            ForwardPass traced = trace(batch * strips + strip);
             PhotonStore photons = traced.photons();
             for (int start = 0; start < photons.size(); start += PHOTONS_A_ROUND) {
                 put(photons, start, Math.min(PHOTONS_A_ROUND, photons.size() - start));
@@ -67,6 +76,16 @@ final class LightTracedPicture {
             lightRays += traced.counters().lightRays();
         }
         batches.next();
+    }
+
+    private ForwardPass trace(int pass) {
+        try {
+            return new ForwardPass(forward, pass, workers).run();
+        } catch (ForwardPlanException refused) {
+            throw new PlanException(refused.getMessage());
+        } catch (PhotonCapacityException full) {
+            throw new ResourceLimitException(full.getMessage() + ": give Java more memory (-Xmx)");
+        }
     }
 
     /** Finds the photons' pixels on all threads, and then adds them up in the order of the photons. */

@@ -12,8 +12,10 @@ public final class ReferenceRender {
     /** They tell how far their mean may be off, so they must be some; but many rays at once are spread more evenly. */
     private static final int BATCHES = 16;
 
-    /** What is traced to see how long that takes. */
-    private static final long RAYS_OF_A_TRIAL = 1 << 17;
+    /** What is traced at least to see how long that takes. */
+    private static final long RAYS_OF_A_TRIAL = 1 << 16;
+
+    private static final double TRIAL_PART = 0.05;
 
     /** Chooses light rays if nothing else is said: {@link JitteredPreProcessor}. */
     public static final String PRE_PROCESSOR = JitteredPreProcessor.NAME;
@@ -59,15 +61,24 @@ public final class ReferenceRender {
                 since(start));
     }
 
-    /** About as many rays as can be traced in the time. */
+    /** About as many rays as can be traced in the time, a twentieth of which is spent to find out. */
     private long raysWithin(double seconds, long seed) {
-        LightTracedPicture trial = render.traced(RAYS_OF_A_TRIAL, seed);
-        // The first is slow: it is the one from which the virtual machine learns.
-        trial.add(0);
+        // The first is slow: the virtual machine learns from it.
+        trial(RAYS_OF_A_TRIAL, seed);
+        long rays = RAYS_OF_A_TRIAL;
+        double taken = trial(rays, seed);
+        for (double spent = taken; spent + 2 * taken < TRIAL_PART * seconds; spent += taken) {
+            rays *= 2;
+            taken = trial(rays, seed);
+        }
+        return (long) Math.max(RAYS_OF_A_TRIAL, Math.min(1e15, rays / taken * (1 - TRIAL_PART) * seconds));
+    }
+
+    /** How many seconds so many rays take. */
+    private double trial(long rays, long seed) {
         long start = System.nanoTime();
-        trial.add(1);
-        double secondsPerRay = since(start) / RAYS_OF_A_TRIAL;
-        return (long) Math.max(RAYS_OF_A_TRIAL, Math.min(1e15, seconds / secondsPerRay));
+        render.traced(rays, seed).add(0);
+        return since(start);
     }
 
     private static double since(long start) {

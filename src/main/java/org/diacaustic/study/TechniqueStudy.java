@@ -19,7 +19,7 @@ public record TechniqueStudy(Technique technique, List<StudyRun> runs, String re
     public Slope slope() {
         SimpleRegression regression = new SimpleRegression();
         for (StudyRun run : runs) {
-            if (run.error().isResolved()) {
+            if (run.error().isResolved() && run.lightRays() > 0) {
                 regression.addData(
                         Math.log(run.lightRays()), Math.log(run.error().rms()));
             }
