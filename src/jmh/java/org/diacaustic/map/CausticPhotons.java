@@ -42,7 +42,7 @@ final class CausticPhotons {
     void add(int task, int count, PhotonSlice slice) {
         random.start(1999, task, 0);
         while (slice.size() < count) {
-            if (land(2 * random.nextDouble() - 1, 2 * random.nextDouble() - 1)) {
+            if (land(landing, 2 * random.nextDouble() - 1, 2 * random.nextDouble() - 1)) {
                 slice.add(landing, power);
             }
         }
@@ -74,7 +74,7 @@ final class CausticPhotons {
     }
 
     /** Follows light from above the waves to where it lands. */
-    private boolean land(double x, double z) {
+    boolean land(SurfacePoint out, double x, double z) {
         double height = 0;
         double slopeX = 0;
         double slopeZ = 0;
@@ -91,11 +91,11 @@ final class CausticPhotons {
         double dx = -along * slopeX * cosine;
         double dy = -eta + along * cosine;
         double dz = -along * slopeZ * cosine;
-        return land(landing, x, height, z, dx, dy, dz);
+        return land(out, x, height, z, dx, dy, dz);
     }
 
     /** Sets the first point of sphere or floor on a ray of direction of length 1; false if it is beyond the floor. */
-    private static boolean land(SurfacePoint out, double x, double y, double z, double dx, double dy, double dz) {
+    static boolean land(SurfacePoint out, double x, double y, double z, double dx, double dy, double dz) {
         double toCentreY = FLOOR + SPHERE - y;
         double middle = -x * dx + toCentreY * dy - z * dz;
         double missedSquared = x * x + toCentreY * toCentreY + z * z - middle * middle;
@@ -107,6 +107,7 @@ final class CausticPhotons {
         out.normalX = onSphere ? out.x / SPHERE : 0;
         out.normalY = onSphere ? (out.y - FLOOR - SPHERE) / SPHERE : 1;
         out.normalZ = onSphere ? out.z / SPHERE : 0;
+        out.object = onSphere ? 1 : 0;
         out.front = true;
         return distance > 0 && Math.abs(out.x) <= 1 && Math.abs(out.z) <= 1;
     }

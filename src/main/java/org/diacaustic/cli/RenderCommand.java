@@ -10,6 +10,7 @@ import java.util.concurrent.Callable;
 import org.diacaustic.image.Exposure;
 import org.diacaustic.image.ImageFiles;
 import org.diacaustic.image.ImageFormat;
+import org.diacaustic.image.LinearImage;
 import org.diacaustic.render.RenderJob;
 import org.diacaustic.render.RenderPlan;
 import org.diacaustic.render.Rendering;
@@ -52,6 +53,12 @@ final class RenderCommand implements Callable<Integer> {
     private Path stats;
 
     @Option(
+            names = "--error-picture",
+            paramLabel = "FILE",
+            description = "Write the estimated error of each pixel as a picture.")
+    private Path errorPicture;
+
+    @Option(
             names = "--progress",
             paramLabel = "KIND",
             converter = ProgressKind.Converter.class,
@@ -69,6 +76,9 @@ final class RenderCommand implements Callable<Integer> {
         requireDifferent(picture);
         if (stats != null) {
             StatisticsFile.checkWritable(stats);
+        }
+        if (errorPicture != null) {
+            ImageFiles.checkWritable(errorPicture);
         }
         Stopwatch watch = new Stopwatch();
         SceneFile scene = options.read();
@@ -89,6 +99,9 @@ final class RenderCommand implements Callable<Integer> {
             ImageFiles.write(rendering.image(), exposure, target);
             watch.lap("write");
             report(rendering, exposure, target, watch);
+            if (errorPicture != null) {
+                writeErrorPicture(rendering, exposure);
+            }
             if (stats != null) {
                 StatisticsFile.write(stats, plan, rendering, exposure, watch);
             }
@@ -98,11 +111,22 @@ final class RenderCommand implements Callable<Integer> {
         return ExitCode.DONE;
     }
 
+    private void writeErrorPicture(Rendering rendering, Exposure exposure) throws IOException {
+        LinearImage picture = rendering
+                .errorPicture()
+                .orElseThrow(() -> new CommandFailure(
+                        ExitCode.BAD_INPUT, "--error-picture needs map 'caustic-mesh': no other tells its error"));
+        ImageFiles.write(picture, exposure, errorPicture);
+    }
+
     /** Refuses to write the picture, the statistics and the scene over each other. */
     private void requireDifferent(Path picture) {
         List<Path> files = new ArrayList<>(List.of(options.path(), picture));
         if (stats != null) {
             files.add(stats);
+        }
+        if (errorPicture != null) {
+            files.add(errorPicture);
         }
         for (int i = 1; i < files.size(); i++) {
             for (Path other : files.subList(0, i)) {

@@ -55,7 +55,7 @@ final class StatisticsFile {
         json.put("mapBytes", rendering.forward().mapBytes());
         json.put("peakHeapBytes", peakHeapBytes());
         json.end();
-        json.put("errorEstimate", Double.NaN);
+        json.put("errorEstimate", rendering.errorEstimate());
         json.end();
         WholeFile.write(path, out -> out.write(json.toString().getBytes(StandardCharsets.UTF_8)));
     }
@@ -76,7 +76,7 @@ final class StatisticsFile {
         json.put("nonFiniteLightRays", forward.nonFinite());
         json.put("nodesExamined", eye.nodesExamined());
         json.put("photonsUsed", eye.photonsUsed());
-        json.put("cells", 0);
+        json.put("cells", forward.cells());
     }
 
     private static void energy(EnergyLedger ledger, JsonWriter json) {

@@ -17,20 +17,26 @@ final class MedianSelection {
     private final float[] x;
     private final float[] y;
     private final float[] z;
+
+    /** A fourth number of each point, or null. */
+    private final float[] extents;
+
     private final int[] numbers;
     private long random;
 
-    MedianSelection(float[] x, float[] y, float[] z, int[] numbers) {
+    /** @param extents a fourth number of each point; may be null */
+    MedianSelection(float[] x, float[] y, float[] z, float[] extents, int[] numbers) {
         this.x = x;
         this.y = y;
         this.z = z;
+        this.extents = extents;
         this.numbers = numbers;
     }
 
     /**
      * Rearranges [start, end) so that every point before {@code middle} comes before every point from there on.
      *
-     * @param along the coordinates that decide, one of the three arrays
+     * @param along the coordinates that decide, one of the arrays
      * @param middle after {@code start} and before {@code end}
      */
     void select(float[] along, int start, int end, int middle) {
@@ -112,6 +118,11 @@ final class MedianSelection {
         float atZ = z[a];
         z[a] = z[b];
         z[b] = atZ;
+        if (extents != null) {
+            float extent = extents[a];
+            extents[a] = extents[b];
+            extents[b] = extent;
+        }
         int number = numbers[a];
         numbers[a] = numbers[b];
         numbers[b] = number;

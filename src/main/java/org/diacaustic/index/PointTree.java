@@ -61,7 +61,7 @@ public final class PointTree {
      * @throws IllegalArgumentException if a coordinate is not finite, or there are fewer coordinates than numbers
      */
     public static PointTree over(float[] x, float[] y, float[] z, int[] numbers, Workers workers) {
-        return new PointTree(new PointTreeBuilder(x, y, z, numbers).build(workers));
+        return new PointTree(new PointTreeBuilder(x, y, z, null, numbers, LARGEST_LEAF).build(workers));
     }
 
     /** The number of points. */

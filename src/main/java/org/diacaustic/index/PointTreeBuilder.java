@@ -14,18 +14,31 @@ final class PointTreeBuilder {
     /** The level whose subtrees are one task each. */
     private static final int SHARED_LEVELS = 6;
 
+    /** Things are parted by size only where the largest are so many times as large as the smallest. */
+    private static final float MUCH_LARGER = 4;
+
     private final float[] x;
     private final float[] y;
     private final float[] z;
+
+    /** How large the points are that stand for something; null if they do not. */
+    private final float[] extents;
+
     private final int[] numbers;
     private final int size;
     private final int levels;
     private final float[] boxes;
 
-    PointTreeBuilder(float[] x, float[] y, float[] z, int[] numbers) {
+    /**
+     * @param extents how large the things are that the points stand for: where some are larger than the place they lie in,
+     *     they are parted by size; null if they are all points
+     * @param largestLeaf the largest number of points in a leaf
+     */
+    PointTreeBuilder(float[] x, float[] y, float[] z, float[] extents, int[] numbers, int largestLeaf) {
         this.x = x;
         this.y = y;
         this.z = z;
+        this.extents = extents;
         this.numbers = numbers;
         this.size = numbers.length;
         if (x.length < size || y.length < size || z.length < size) {
@@ -33,7 +46,7 @@ final class PointTreeBuilder {
                     + y.length + " and " + z.length);
         }
         int depth = 0;
-        while ((long) PointTree.LARGEST_LEAF << depth < size) {
+        while ((long) largestLeaf << depth < size) {
             depth++;
         }
         this.levels = depth;
@@ -52,7 +65,7 @@ final class PointTreeBuilder {
             }
         }
         if (size < SHARED_SIZE) {
-            subtree(1, 0, new MedianSelection(x, y, z, numbers));
+            subtree(1, 0, new MedianSelection(x, y, z, extents, numbers));
             return this;
         }
         int level = 0;
@@ -67,7 +80,7 @@ final class PointTreeBuilder {
     /** Runs a task for every node of a level. */
     private void share(Workers workers, int nodes, NodeTask task) {
         workers.run(nodes, () -> {
-            IntConsumer work = task.with(new MedianSelection(x, y, z, numbers));
+            IntConsumer work = task.with(new MedianSelection(x, y, z, extents, numbers));
             return i -> work.accept(nodes + i);
         });
     }
@@ -90,9 +103,24 @@ final class PointTreeBuilder {
         float widthY = measure(y, start, end, 6 * node + 2);
         float widthZ = measure(z, start, end, 6 * node + 4);
         if (below > 0) {
-            float[] along = widthX >= widthY && widthX >= widthZ ? x : widthY >= widthZ ? y : z;
+            float widest = Math.max(widthX, Math.max(widthY, widthZ));
+            float[] along = isUneven(start, end, widest) ? extents : widthX == widest ? x : widthY == widest ? y : z;
             selection.select(along, start, end, PointTree.first(leaf + (1 << below - 1), size, levels));
         }
+    }
+
+    /** Whether there are things much larger than others in the range, and larger than where they lie. */
+    private boolean isUneven(int start, int end, float widest) {
+        if (extents == null) {
+            return false;
+        }
+        float smallest = Float.POSITIVE_INFINITY;
+        float largest = 0;
+        for (int i = start; i < end; i++) {
+            smallest = Math.min(smallest, extents[i]);
+            largest = Math.max(largest, extents[i]);
+        }
+        return largest > widest && largest > MUCH_LARGER * smallest;
     }
 
     /** Writes the range of the coordinates, and returns its width. */

@@ -19,7 +19,7 @@ public enum PhotonFilter {
     }
 
     /** The cosine of the largest angle between two normals that face alike; not a number if any do. */
-    double cosine() {
+    public double cosine() {
         return cosine;
     }
 }

@@ -8,7 +8,7 @@ import org.diacaustic.math.Vector3;
 /** The photons of one task, in the order in which they were stored; see {@link PhotonStore}. Owned by one task. */
 public final class PhotonSlice {
     final List<PhotonChunk> chunks = new ArrayList<>();
-    private final PhotonPool pool;
+    private final ChunkPool<PhotonChunk> pool;
     private final double originX;
     private final double originY;
     private final double originZ;
@@ -17,7 +17,7 @@ public final class PhotonSlice {
     private int used = PhotonChunk.SIZE;
     private long rejected;
 
-    PhotonSlice(PhotonPool pool, Vector3 origin, double powerUnit) {
+    PhotonSlice(ChunkPool<PhotonChunk> pool, Vector3 origin, double powerUnit) {
         this.pool = pool;
         this.originX = origin.x();
         this.originY = origin.y();

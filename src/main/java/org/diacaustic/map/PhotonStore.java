@@ -15,7 +15,7 @@ import org.diacaustic.math.Vector3;
 public final class PhotonStore {
     private final Vector3 origin;
     private final double powerUnit;
-    private final PhotonPool pool;
+    private final ChunkPool<PhotonChunk> pool;
     private final List<PhotonChunk> chunks = new ArrayList<>();
     private int used = PhotonChunk.SIZE;
     private long rejected;
@@ -33,12 +33,9 @@ public final class PhotonStore {
             throw new IllegalArgumentException("photons need a finite origin and a positive unit of power, but have "
                     + origin + " and " + powerUnit);
         }
-        if (capacity < 0) {
-            throw new IllegalArgumentException("a capacity must not be negative, but is " + capacity);
-        }
         this.origin = origin;
         this.powerUnit = powerUnit;
-        this.pool = new PhotonPool(capacity);
+        this.pool = new ChunkPool<>(PhotonChunk::new, "photons", capacity);
     }
 
     /** An empty slice for one task; may be asked for on any thread. */

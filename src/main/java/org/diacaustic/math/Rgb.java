@@ -59,6 +59,10 @@ public final class Rgb {
         return red == 0 && green == 0 && blue == 0;
     }
 
+    public double sum() {
+        return red + green + blue;
+    }
+
     public double largest() {
         return Math.max(red, Math.max(green, blue));
     }

@@ -1,6 +1,7 @@
 package org.diacaustic.preprocess;
 
 import java.util.List;
+import org.diacaustic.light.LightPoint;
 
 /**
  * A coarse lattice on the faces of a cube around the light, made finer where its rays are stored [Thesis 4.7.1]. Weighted, a
@@ -13,6 +14,11 @@ final class AdaptivePreProcessor implements PreProcessor {
     @Override
     public String name() {
         return NAME;
+    }
+
+    @Override
+    public List<EmissionChart> charts(Beam beam, LightPoint from) {
+        return beam.cubeCharts(from);
     }
 
     @Override

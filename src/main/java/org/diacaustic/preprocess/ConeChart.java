@@ -46,7 +46,12 @@ final class ConeChart extends EmissionChart {
                 cosine * axis.x() + s * u.x() + t * v.x(),
                 cosine * axis.y() + s * u.y() + t * v.y(),
                 cosine * axis.z() + s * u.z() + t * v.z());
-        ray.measure = 2 * Math.PI * versine;
+        ray.measure = density(p, q);
+    }
+
+    @Override
+    public double density(double p, double q) {
+        return 2 * Math.PI * versine;
     }
 
     @Override

@@ -1,5 +1,8 @@
 package org.diacaustic.preprocess;
 
+import java.util.List;
+import org.diacaustic.light.LightPoint;
+
 /** Lattices of rays through the faces of a cube around the light [Thesis 4.7]. */
 final class CubePreProcessor implements PreProcessor {
     static final String NAME = "cube";
@@ -7,6 +10,11 @@ final class CubePreProcessor implements PreProcessor {
     @Override
     public String name() {
         return NAME;
+    }
+
+    @Override
+    public List<EmissionChart> charts(Beam beam, LightPoint from) {
+        return beam.cubeCharts(from);
     }
 
     @Override

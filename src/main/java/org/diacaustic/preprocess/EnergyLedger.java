@@ -44,6 +44,18 @@ public final class EnergyLedger {
         add(cut, flux);
     }
 
+    /** Adds to an account of {@link LeafTracer}. */
+    void add(int account, double flux) {
+        CompensatedSum sum = switch (account) {
+            case LeafTracer.EMITTED -> emitted;
+            case LeafTracer.STORED -> stored;
+            case LeafTracer.ABSORBED -> absorbed;
+            case LeafTracer.ESCAPED -> escaped;
+            default -> cut;
+        };
+        sum.add(flux);
+    }
+
     private static void add(CompensatedSum sum, Rgb flux) {
         sum.add(flux.red);
         sum.add(flux.green);

@@ -8,6 +8,7 @@ public final class ForwardCounters {
     long hits;
     long stored;
     long intersectionTests;
+    long cells;
     long nonFinite;
 
     void add(ForwardCounters other) {
@@ -17,6 +18,7 @@ public final class ForwardCounters {
         hits += other.hits;
         stored += other.stored;
         intersectionTests += other.intersectionTests;
+        cells += other.cells;
         nonFinite += other.nonFinite;
     }
 
@@ -43,6 +45,11 @@ public final class ForwardCounters {
     /** Photons stored. */
     public long stored() {
         return stored;
+    }
+
+    /** Cells of light, points included, that were made. */
+    public long cells() {
+        return cells;
     }
 
     /** Tests of a ray against a primitive or a bounding volume. */

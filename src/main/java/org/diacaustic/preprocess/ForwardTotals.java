@@ -9,9 +9,10 @@ public final class ForwardTotals {
     private double buildSeconds;
 
     /** Adds a pass and the map that was built of it. */
-    public void add(ForwardPass pass, long bytes, double secondsToTrace, double secondsToBuild) {
-        counters.add(pass.counters());
-        ledger.add(pass.ledger());
+    public void add(
+            ForwardCounters counted, EnergyLedger booked, long bytes, double secondsToTrace, double secondsToBuild) {
+        counters.add(counted);
+        ledger.add(booked);
         mapBytes = Math.max(mapBytes, bytes);
         traceSeconds += secondsToTrace;
         buildSeconds += secondsToBuild;

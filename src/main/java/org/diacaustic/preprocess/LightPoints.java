@@ -11,10 +11,15 @@ final class LightPoints {
     private double s = 0.5;
     private double t = 0.5;
 
-    /** @param random for where the points lie, asked here and at each {@link #next} */
+    /** As many points as the light says. */
     LightPoints(Beam beam, SampleStream random) {
+        this(beam.pointCount(), random);
+    }
+
+    /** @param random for where the points lie, asked here and at each {@link #next} */
+    LightPoints(int count, SampleStream random) {
         this.random = random;
-        this.count = beam.pointCount();
+        this.count = count;
         this.turn = random.nextDouble();
     }
 

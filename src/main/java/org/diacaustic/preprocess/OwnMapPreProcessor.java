@@ -46,6 +46,11 @@ final class OwnMapPreProcessor implements PreProcessor {
     }
 
     @Override
+    public List<EmissionChart> charts(Beam beam, LightPoint from) {
+        return OwnCharts.of(beam, from).map(List::of).orElseGet(() -> beam.cubeCharts(from));
+    }
+
+    @Override
     public void run(Beam beam, ForwardPass pass) {
         SampleStream random = pass.random();
         SampleStream shifts = beam.settings().shiftsLattice() ? random : null;

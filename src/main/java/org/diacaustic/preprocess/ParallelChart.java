@@ -31,6 +31,11 @@ final class ParallelChart extends EmissionChart {
     }
 
     @Override
+    public double density(double p, double q) {
+        return area;
+    }
+
+    @Override
     public double width() {
         return sideU.length();
     }

@@ -26,7 +26,8 @@ final class PlanarPreProcessor implements PreProcessor {
     }
 
     /** Of a lamp that stands outside, single points may still have no plane before the window: those have the cube. */
-    private static List<EmissionChart> charts(Beam beam, LightPoint from) {
+    @Override
+    public List<EmissionChart> charts(Beam beam, LightPoint from) {
         return beam.planeRefusal(from).isPresent() ? beam.cubeCharts(from) : List.of(beam.planeChart(from));
     }
 }

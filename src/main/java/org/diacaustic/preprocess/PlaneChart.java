@@ -32,8 +32,20 @@ final class PlaneChart extends EmissionChart {
         double z = corner.z() + p * sideU.z() + q * sideV.z();
         ray.setOrigin(from.x(), from.y(), from.z());
         ray.setDirection(x, y, z);
+        ray.measure = density(x, y, z);
+    }
+
+    @Override
+    public double density(double p, double q) {
+        return density(
+                corner.x() + p * sideU.x() + q * sideV.x(),
+                corner.y() + p * sideU.y() + q * sideV.y(),
+                corner.z() + p * sideU.z() + q * sideV.z());
+    }
+
+    private double density(double x, double y, double z) {
         double distanceSquared = x * x + y * y + z * z;
-        ray.measure = volume / (distanceSquared * Math.sqrt(distanceSquared));
+        return volume / (distanceSquared * Math.sqrt(distanceSquared));
     }
 
     @Override

@@ -1,6 +1,8 @@
 package org.diacaustic.preprocess;
 
+import java.util.List;
 import java.util.Optional;
+import org.diacaustic.light.LightPoint;
 
 /**
  * A way to choose light rays [Thesis 4.1 - 4.7.1]. Implementations are immutable and found by {@link java.util.ServiceLoader},
@@ -14,6 +16,14 @@ public interface PreProcessor {
     /** Why it cannot choose rays for this beam, in words that go on after "because"; empty if it can. */
     default Optional<String> refusal(Beam beam) {
         return Optional.empty();
+    }
+
+    /**
+     * The parts of a point's light space that it lays its lattices on, which cells of a caustic mesh may stand on too; nothing
+     * if it has no lattices.
+     */
+    default List<EmissionChart> charts(Beam beam, LightPoint from) {
+        return List.of();
     }
 
     /**

@@ -41,6 +41,11 @@ record SurfaceChart(Chart chart, Vector3[] polygon) {
         return Optional.of(of(object.shape(), object.shape(), Transform.identity()));
     }
 
+    /** The chart of a shape that has bounds and a surface. */
+    static Chart of(Shape shape) {
+        return of(shape, shape, Transform.identity()).chart();
+    }
+
     private static SurfaceChart of(Shape whole, Shape part, Transform toScene) {
         if (part instanceof Transformed moved) {
             return of(whole, moved.shape(), moved.transform().then(toScene));

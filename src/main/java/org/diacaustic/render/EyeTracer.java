@@ -1,7 +1,6 @@
 package org.diacaustic.render;
 
 import org.diacaustic.light.Light;
-import org.diacaustic.map.IlluminationMap;
 import org.diacaustic.math.Ray;
 import org.diacaustic.math.Rgb;
 import org.diacaustic.math.SampleStream;
@@ -20,13 +19,12 @@ final class EyeTracer extends PathTracer {
     private final Rgb radiance = new Rgb();
     private boolean seesLight;
 
-    /** @param map the light that comes over specular surfaces */
-    EyeTracer(RenderPlan plan, IlluminationMap map) {
+    EyeTracer(RenderPlan plan, Illumination light) {
         super(plan.index(), plan.eyeRules());
         this.plan = plan;
         this.visibleLights = plan.visibleLights();
         this.directLight = new DirectLight(plan, counters, random);
-        this.indirectLight = new IndirectLight(plan, map);
+        this.indirectLight = new IndirectLight(plan, light);
     }
 
     /** The ray to aim before {@link #trace}. */
@@ -39,6 +37,21 @@ final class EyeTracer extends PathTracer {
         return random;
     }
 
+    /** The samples from now on are those of another pixel. */
+    void startPixel() {
+        indirectLight.startPixel();
+    }
+
+    /** The sample that is traced next; see {@link org.diacaustic.scene.Camera#aim}, which must aim the ray. */
+    void startSample(double x, double y, double lensU, double lensV) {
+        indirectLight.startSample(x, y, lensU, lensV);
+    }
+
+    /** How much the last sample would change with a coarser map; valid until the next. */
+    Rgb difference() {
+        return indirectLight.difference();
+    }
+
     /** Forgets what the last task taught about blockers, so that counters do not depend on the order of tasks. */
     void startTask() {
         directLight.startTask();
@@ -46,7 +59,7 @@ final class EyeTracer extends PathTracer {
 
     /** What was counted since the tracer was made. */
     Counters counters() {
-        counters.intersectionTests = tests() + directLight.tests();
+        counters.intersectionTests = tests() + directLight.tests() + indirectLight.tests();
         counters.nodesExamined = indirectLight.nodesExamined();
         counters.photonsUsed = indirectLight.photonsUsed();
         return counters;
@@ -86,7 +99,8 @@ final class EyeTracer extends PathTracer {
     @Override
     protected boolean arrive(int object, int side) {
         addAmbient();
-        indirectLight.add(object, side, hit, surface, throughput, radiance);
+        indirectLight.pass(depth, signature);
+        indirectLight.add(object, side, depth, signatureAt(object, side), hit, surface, throughput, radiance);
         directLight.add(object, side, hit, surface, scattering, media, throughput, radiance);
         return true;
     }

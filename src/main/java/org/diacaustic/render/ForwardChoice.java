@@ -150,11 +150,20 @@ final class ForwardChoice {
     }
 
     private ForwardPlan choose(Map<String, PreProcessor> known) {
-        MapName map = maps.map() == MapName.AUTO ? MapName.PHOTON_MAP : maps.map();
+        MapName map = maps.map() == MapName.AUTO ? MapName.CAUSTIC_MESH : maps.map();
         EstimatorName best = map == MapName.PHOTON_MAP ? EstimatorName.NEAREST : EstimatorName.DENSITY;
         EstimatorName estimator = maps.estimator() == EstimatorName.AUTO ? best : maps.estimator();
         long rays = forward.rays() > 0 ? forward.rays() : RAYS;
-        ForwardPlanner planner = new ForwardPlanner(scene, index, settings);
+        // Cells need no rays but those that may find something, whatever the thesis did.
+        Settings aimed = map == MapName.CAUSTIC_MESH
+                ? settings.toBuilder()
+                        .forward(forward.toBuilder().aimAtSpecular(true).build())
+                        .build()
+                : settings;
+        ForwardPlanner planner = new ForwardPlanner(scene, index, aimed);
+        if (forward.preProcessor().equals(Settings.AUTO) && map == MapName.CAUSTIC_MESH) {
+            return planner.plan(known.get("own-map"), rays, map, estimator);
+        }
         if (forward.preProcessor().equals(Settings.AUTO)) {
             try {
                 return planner.plan(known.get("planar"), rays, map, estimator);

@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.DoubleConsumer;
 import java.util.function.IntFunction;
+import org.diacaustic.map.CausticMesh;
 import org.diacaustic.map.IlluminationMap;
 import org.diacaustic.map.PhotonCapacityException;
 import org.diacaustic.parallel.StopSignal;
@@ -14,6 +16,8 @@ import org.diacaustic.preprocess.ForwardPlan;
 import org.diacaustic.preprocess.ForwardPlanException;
 import org.diacaustic.preprocess.ForwardTotals;
 import org.diacaustic.preprocess.MapBuilder;
+import org.diacaustic.preprocess.MeshPass;
+import org.diacaustic.scene.MapName;
 
 /**
  * One render on its way: runs once, on as many threads as wanted, reports progress and can be cancelled from anywhere.
@@ -77,62 +81,107 @@ public final class RenderJob {
         return render(
                 workers,
                 forward,
-                pass -> builder == null ? null : illuminate(plan.forward().get(), builder, pass, workers, forward));
+                pass -> builder == null
+                        ? Illumination.NONE
+                        : illuminate(plan.forward().get(), builder, pass, workers, forward));
     }
 
     /** As {@link #run()}, but looks at a map that is there already, in place of forward passes. */
     public Rendering run(IlluminationMap map) {
-        return render(new Workers(threads, stop), new ForwardTotals(), pass -> map);
+        return render(new Workers(threads, stop), new ForwardTotals(), pass -> new Illumination(map, null));
     }
 
-    private Rendering render(Workers workers, ForwardTotals forward, IntFunction<IlluminationMap> maps) {
+    private Rendering render(Workers workers, ForwardTotals forward, IntFunction<Illumination> lights) {
         if (started.getAndSet(true)) {
             throw new IllegalStateException("a job runs once");
         }
         PassMean picture = new PassMean(
-                plan.scene().camera().width(), plan.scene().camera().height(), plan.passes());
+                plan.scene().camera().width(), plan.scene().camera().height(), plan.passes(), plan.estimatesError());
         Counters counters = new Counters();
         double seconds = 0;
         for (int pass = 0; pass < plan.passes() && !stop.isSet(); pass++) {
-            IlluminationMap map = maps.apply(pass);
+            Illumination light = lights.apply(pass);
             if (!stop.isSet()) {
                 long start = System.nanoTime();
-                renderPass(pass, map, picture, workers, counters);
-                seconds += (System.nanoTime() - start) * 1e-9;
+                renderPass(pass, light, picture, workers, counters);
+                seconds += seconds(start);
             }
         }
         return new Rendering(
-                picture.image(), counters, forward, threads, tilesDone, plan.passes() * tileCount(), seconds);
+                picture.image(),
+                picture.differences(),
+                counters,
+                forward,
+                threads,
+                tilesDone,
+                plan.passes() * tileCount(),
+                seconds);
     }
 
-    /** Runs the forward pass and makes a map of what it brings; null if it was stopped. */
-    private IlluminationMap illuminate(
+    /** Runs the forward pass and makes a map of what it brings; nothing if it was stopped. */
+    private Illumination illuminate(
             ForwardPlan forwardPlan, MapBuilder builder, int pass, Workers workers, ForwardTotals totals) {
-        long start = System.nanoTime();
         int before = partsDone;
-        ForwardPass forward =
-                new ForwardPass(forwardPlan, pass, workers, part -> progress(before + (int) (part * forwardParts)));
+        DoubleConsumer listening = part -> progress(before + (int) (part * forwardParts));
         try {
-            forward.run();
+            Illumination light = forwardPlan.map() == MapName.CAUSTIC_MESH
+                    ? mesh(forwardPlan, pass, workers, totals, listening)
+                    : photons(forwardPlan, builder, pass, workers, totals, listening);
+            if (!stop.isSet()) {
+                progress(before + forwardParts);
+            }
+            return light;
         } catch (ForwardPlanException refused) {
             throw new PlanException(refused.getMessage());
         } catch (PhotonCapacityException full) {
             throw new ResourceLimitException(full.getMessage() + ": give fewer rays, or Java more memory (-Xmx)");
         }
-        if (!stop.isSet()) {
-            progress(before + forwardParts);
-        }
-        long traced = System.nanoTime();
-        IlluminationMap map = stop.isSet() ? null : builder.build(plan.scene().camera(), forward.photons(), pass);
-        double built = (System.nanoTime() - traced) * 1e-9;
-        totals.add(forward, map == null ? 0 : map.bytes(), (traced - start) * 1e-9, built);
-        return map;
     }
 
-    private void renderPass(int pass, IlluminationMap map, PassMean picture, Workers workers, Counters counters) {
+    private Illumination photons(
+            ForwardPlan forwardPlan,
+            MapBuilder builder,
+            int pass,
+            Workers workers,
+            ForwardTotals totals,
+            DoubleConsumer listening) {
+        long start = System.nanoTime();
+        ForwardPass forward = new ForwardPass(forwardPlan, pass, workers, listening).run();
+        long traced = System.nanoTime();
+        IlluminationMap map = stop.isSet() ? null : builder.build(plan.scene().camera(), forward.photons(), pass);
+        long bytes = map == null ? 0 : map.bytes();
+        totals.add(forward.counters(), forward.ledger(), bytes, seconds(start, traced), seconds(traced));
+        return new Illumination(map, null);
+    }
+
+    private Illumination mesh(
+            ForwardPlan forwardPlan, int pass, Workers workers, ForwardTotals totals, DoubleConsumer listening) {
+        long start = System.nanoTime();
+        MeshPass forward = new MeshPass(forwardPlan, pass, workers, listening).run();
+        long traced = System.nanoTime();
+        Illumination light = stop.isSet()
+                ? Illumination.NONE
+                : new Illumination(
+                        CausticMesh.movedFrom(forward.cells(), workers),
+                        CausticMesh.movedFrom(forward.largeCells(), workers));
+        long bytes =
+                light.map() == null ? 0 : light.map().bytes() + light.coarser().bytes();
+        totals.add(forward.counters(), forward.ledger(), bytes, seconds(start, traced), seconds(traced));
+        return light;
+    }
+
+    private static double seconds(long start) {
+        return seconds(start, System.nanoTime());
+    }
+
+    private static double seconds(long start, long end) {
+        return (end - start) * 1e-9;
+    }
+
+    private void renderPass(int pass, Illumination light, PassMean picture, Workers workers, Counters counters) {
         List<TileRenderer> renderers = Collections.synchronizedList(new ArrayList<>());
         workers.run(tileCount(), () -> {
-            TileRenderer renderer = new TileRenderer(plan, map, pass, picture);
+            TileRenderer renderer = new TileRenderer(plan, light, pass, picture);
             renderers.add(renderer);
             return number -> render(number, renderer);
         });

@@ -11,6 +11,7 @@ import org.diacaustic.material.TransportMode;
 import org.diacaustic.preprocess.ForwardPlan;
 import org.diacaustic.preprocess.PreProcessor;
 import org.diacaustic.preprocess.PreProcessors;
+import org.diacaustic.scene.MapName;
 import org.diacaustic.scene.MediumLocator;
 import org.diacaustic.scene.MediumStack;
 import org.diacaustic.scene.Scene;
@@ -116,6 +117,11 @@ public final class RenderPlan {
         return decisions;
     }
 
+    /** Whether two maps are compared, which tells the error of what they bring. */
+    public boolean estimatesError() {
+        return forward.map(ForwardPlan::map).orElse(MapName.NONE) == MapName.CAUSTIC_MESH;
+    }
+
     /** The bytes that the picture itself takes; the largest long if that is too small a number. */
     public long imageBytes() {
         long pixels = (long) scene.camera().width() * scene.camera().height();
@@ -125,11 +131,16 @@ public final class RenderPlan {
 
     /** How eye rays are followed. */
     PathRules eyeRules() {
+        return eyeRules(settings.minimumThroughput());
+    }
+
+    /** How eye rays are followed that carry at least this fraction of what started. */
+    PathRules eyeRules(double minimumThroughput) {
         return new PathRules(
                 settings.scatterRules(),
                 TransportMode.RADIANCE,
                 settings.maxDepth(),
-                settings.minimumThroughput(),
+                minimumThroughput,
                 true,
                 settings.usesListOrder());
     }

@@ -1,6 +1,5 @@
 package org.diacaustic.render;
 
-import org.diacaustic.map.IlluminationMap;
 import org.diacaustic.math.Rgb;
 import org.diacaustic.math.SampleStream;
 import org.diacaustic.parallel.StopSignal;
@@ -14,16 +13,14 @@ final class TileRenderer {
     private final int pass;
     private final EyeTracer tracer;
     private final Rgb sum = new Rgb();
+    private final Rgb difference = new Rgb();
 
-    /**
-     * @param map the light that comes over specular surfaces; null if there was no forward pass
-     * @param pass which of the passes that are averaged this is
-     */
-    TileRenderer(RenderPlan plan, IlluminationMap map, int pass, PassMean picture) {
+    /** @param pass which of the passes that are averaged this is */
+    TileRenderer(RenderPlan plan, Illumination light, int pass, PassMean picture) {
         this.plan = plan;
         this.pass = pass;
         this.picture = picture;
-        this.tracer = new EyeTracer(plan, map);
+        this.tracer = new EyeTracer(plan, light);
     }
 
     Counters counters() {
@@ -66,26 +63,28 @@ final class TileRenderer {
         double lensShiftU = random.nextDouble();
         double lensShiftV = random.nextDouble();
         sum.set(0, 0, 0);
+        difference.set(0, 0, 0);
+        tracer.startPixel();
         for (int i = 0; i < samples; i++) {
             double across = spread ? (i + random.nextDouble()) / samples : 0.5;
             double down = spread ? Stratification.shiftedInverse(i, 2, shiftY) : 0.5;
-            camera.aim(
-                    x + across,
-                    y + down,
-                    lens ? Stratification.shiftedInverse(i, 3, lensShiftU) : 0,
-                    lens ? Stratification.shiftedInverse(i, 5, lensShiftV) : 0,
-                    tracer.ray());
+            double lensU = lens ? Stratification.shiftedInverse(i, 3, lensShiftU) : 0;
+            double lensV = lens ? Stratification.shiftedInverse(i, 5, lensShiftV) : 0;
+            camera.aim(x + across, y + down, lensU, lensV, tracer.ray());
+            tracer.startSample(x + across, y + down, lensU, lensV);
             Rgb radiance = tracer.trace(stop);
             if (stop.isSet()) {
                 return false;
             }
             add(radiance, pixel);
+            difference.add(tracer.difference());
         }
         sum.scale(1.0 / samples);
         if (settings.clamps()) {
             sum.set(Math.min(1, sum.red), Math.min(1, sum.green), Math.min(1, sum.blue));
         }
         picture.add(pass, x, y, sum);
+        picture.addDifference(x, y, difference.scale(1.0 / samples));
         return true;
     }
 

@@ -9,7 +9,9 @@ public enum MapName {
     /** A map of texels over each object [Thesis 4.4]. */
     AMBIENT_MAPS,
     /** Photons in space, wherever they land [Thesis 4.5]. */
-    PHOTON_MAP;
+    PHOTON_MAP,
+    /** Beams between neighbouring light rays, as cells on what they light. */
+    CAUSTIC_MESH;
 
     /** The name in scene files and on the command line. */
     public String label() {

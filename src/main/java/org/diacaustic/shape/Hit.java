@@ -65,6 +65,17 @@ public final class Hit {
         noteV = ray.hitV;
     }
 
+    /** Takes over point and normals of another hit. */
+    public void copyPlace(Hit other) {
+        setPoint(other.x, other.y, other.z, other.pointError);
+        normalX = other.normalX;
+        normalY = other.normalY;
+        normalZ = other.normalZ;
+        shadingX = other.shadingX;
+        shadingY = other.shadingY;
+        shadingZ = other.shadingZ;
+    }
+
     /**
      * How far before or behind this point, along a line at the given cosine to the normal, surfaces are found that touch
      * this one here: a few rounding errors of this surface and of its coordinates.

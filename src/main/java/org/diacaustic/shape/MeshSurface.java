@@ -117,6 +117,25 @@ final class MeshSurface {
         }
     }
 
+    /**
+     * Sets the normals of a triangle at one of its corners, numbered as in the list of triangles.
+     *
+     * @return false, with nothing set, if the triangle has no area
+     */
+    boolean setNormalAt(int cornerNumber, Hit hit) {
+        int triangle = cornerNumber / 3;
+        if (!setNormal(triangle, hit)) {
+            return false;
+        }
+        if (vertexNormals != null) {
+            int place = cornerNumber % 3;
+            hit.noteU = place == 1 ? 1 : 0;
+            hit.noteV = place == 2 ? 1 : 0;
+            setShadingNormal(corner(triangle, 0), corner(triangle, 1), corner(triangle, 2), hit);
+        }
+        return true;
+    }
+
     private void setShadingNormal(int a, int b, int c, Hit hit) {
         double u = hit.noteU;
         double v = hit.noteV;

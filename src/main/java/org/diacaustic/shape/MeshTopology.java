@@ -10,6 +10,9 @@ import org.diacaustic.math.Arithmetic;
 final class MeshTopology {
     private static final long NO_EDGE = -1;
 
+    /** The cosine of half a degree. */
+    private static final double ALIKE_COSINE = 0.99996;
+
     private final MeshData data;
 
     /** For each vertex the first one in its place. */
@@ -150,5 +153,77 @@ final class MeshTopology {
         double vz = vertices[last + 2] - vertices[at + 2];
         double sine = Arithmetic.length(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
         return StrictMath.atan2(sine, ux * vx + uy * vy + uz * vz);
+    }
+
+    /**
+     * For each triangle the number of the piece it belongs to: triangles that meet along an edge are of one piece if their
+     * normals to shade with, at both ends of the edge, are the same but for half a degree. A piece has the number of its
+     * first triangle.
+     */
+    int[] pieces(MeshSurface surface) {
+        int count = data.triangleCount();
+        int[] parent = new int[count];
+        Arrays.setAll(parent, i -> i);
+        int[] triangles = data.triangles();
+        int[] table = new int[tableSize(triangles.length)];
+        Arrays.fill(table, -1);
+        Hit one = new Hit();
+        Hit other = new Hit();
+        for (int edge = 0; edge < triangles.length; edge++) {
+            long key = undirected(edge);
+            int slot = hash(key, table.length);
+            while (table[slot] >= 0 && undirected(table[slot]) != key) {
+                slot = slot + 1 & table.length - 1;
+            }
+            if (table[slot] < 0) {
+                table[slot] = edge;
+            } else if (isSmooth(surface, table[slot], edge, one, other)) {
+                join(parent, table[slot] / 3, edge / 3);
+            }
+        }
+        for (int triangle = 0; triangle < count; triangle++) {
+            parent[triangle] = root(parent, triangle);
+        }
+        return parent;
+    }
+
+    /** The edge from a corner of a triangle to the next corner, numbered as the corner is in the list of triangles. */
+    private long undirected(int edge) {
+        int from = welded[data.triangles()[edge]];
+        int to = welded[data.triangles()[next(edge)]];
+        return edge(Math.min(from, to), Math.max(from, to));
+    }
+
+    private static int next(int edge) {
+        return edge % 3 == 2 ? edge - 2 : edge + 1;
+    }
+
+    /** Whether the shading does not jump where two triangles meet along an edge. */
+    private boolean isSmooth(MeshSurface surface, int edge, int twin, Hit one, Hit other) {
+        boolean isTurned = welded[data.triangles()[edge]] != welded[data.triangles()[twin]];
+        return isAlike(surface, edge, isTurned ? next(twin) : twin, one, other)
+                && isAlike(surface, next(edge), isTurned ? twin : next(twin), one, other);
+    }
+
+    private static boolean isAlike(MeshSurface surface, int corner, int twin, Hit one, Hit other) {
+        return surface.setNormalAt(corner, one)
+                && surface.setNormalAt(twin, other)
+                && one.shadingX * other.shadingX + one.shadingY * other.shadingY + one.shadingZ * other.shadingZ
+                        > ALIKE_COSINE;
+    }
+
+    private static void join(int[] parent, int a, int b) {
+        int rootA = root(parent, a);
+        int rootB = root(parent, b);
+        parent[Math.max(rootA, rootB)] = Math.min(rootA, rootB);
+    }
+
+    private static int root(int[] parent, int start) {
+        int i = start;
+        while (parent[i] != i) {
+            parent[i] = parent[parent[i]];
+            i = parent[i];
+        }
+        return i;
     }
 }

@@ -44,6 +44,14 @@ public interface Shape {
      */
     void inverseMap(Hit hit);
 
+    /**
+     * The number of the smooth piece of the surface that a completed hit lies on: rays that meet one piece side by side
+     * are mirrored and refracted side by side. Where pieces meet there are edges, in the form or in the shading.
+     */
+    default int piece(Hit hit) {
+        return hit.primitive;
+    }
+
     /** Whether the surface encloses a volume: a ray that enters it must leave it again. */
     boolean isClosed();
 }

@@ -127,6 +127,11 @@ public final class Transformed implements Shape {
     }
 
     @Override
+    public int piece(Hit hit) {
+        return shape.piece(hit);
+    }
+
+    @Override
     public void complete(Ray ray, Hit hit) {
         shape.complete(toShape(ray), hit);
         double localError = hit.pointError;

@@ -23,6 +23,9 @@ public final class TriangleMesh implements Shape {
     private final int degenerateCount;
     private final boolean closed;
 
+    /** For each triangle, the smooth piece that it belongs to. */
+    private final int[] pieces;
+
     /**
      * @param smooth whether the shading normal runs smoothly from vertex to vertex: along the normals given or, without
      *     any, along those computed from the triangles around each vertex; otherwise each triangle is a flat facet
@@ -55,6 +58,7 @@ public final class TriangleMesh implements Shape {
         this.surface = !smooth
                 ? facets
                 : new MeshSurface(data, data.normals() != null ? data.normals() : topology.vertexNormals(facets));
+        this.pieces = topology.pieces(surface);
     }
 
     private static double[] boxes(MeshData data, int[] solid, int count) {
@@ -205,6 +209,11 @@ public final class TriangleMesh implements Shape {
     @Override
     public void complete(Ray ray, Hit hit) {
         surface.complete(ray, hit);
+    }
+
+    @Override
+    public int piece(Hit hit) {
+        return pieces[hit.primitive];
     }
 
     @Override

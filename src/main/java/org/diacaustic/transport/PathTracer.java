@@ -20,6 +20,9 @@ public abstract class PathTracer {
     /** More surfaces than this in one place are not told apart. */
     private static final int MOST_TOUCHING = 8;
 
+    private static final int MIRRORED = 1;
+    private static final int REFRACTED = 2;
+
     /** The ray to aim before {@link #followAll}; then the one that is being followed, shortened to where it ends. */
     protected final Ray ray = new Ray();
 
@@ -43,6 +46,12 @@ public abstract class PathTracer {
 
     /** How long the path is so far, in scene units. */
     protected double pathLength;
+
+    /**
+     * Which way the path came: a number that two paths share if they met the same smooth pieces of the same sides of the same
+     * objects in the same order, and were mirrored and refracted alike; others share it with a chance of 2⁻⁶⁴.
+     */
+    protected long signature;
 
     private final SceneIndex scene;
     private final PathRules rules;
@@ -108,10 +117,11 @@ public abstract class PathTracer {
     /**
      * Is asked about every continuation that could be followed: whether it is. May change what it carries.
      *
+     * @param path its {@link #signature}
      * @param fraction of what started that it carries
      * @param largest of its colours
      */
-    protected boolean survives(Rgb fraction, double largest) {
+    protected boolean survives(long path, Rgb fraction, double largest) {
         return true;
     }
 
@@ -132,6 +142,7 @@ public abstract class PathTracer {
         passed = next.passed;
         depth = next.depth;
         pathLength = next.pathLength;
+        signature = next.signature;
         int object = scene.nearest(ray, next.object, next.primitive);
         boolean endsBefore = endsBeforeSurface();
         double length = Math.max(0, ray.tMax - back);
@@ -248,19 +259,22 @@ public abstract class PathTracer {
         next.pass(ray.departureError, passed);
         next.depth = depth;
         next.pathLength = pathLength;
+        next.signature = signature;
         next.throughput.set(throughput);
         next.media.copyFrom(media);
     }
 
     /** Leaves the mirrored and the refracted ray for later, unless they carry too little. */
     private void goOn(int object, int side) {
-        if (carries(scattering.reflectance, scattering.reflectedX, rules.followsReflections())) {
+        long path = signed(object, side, MIRRORED);
+        if (carries(scattering.reflectance, scattering.reflectedX, rules.followsReflections(), path)) {
             goesOn(false);
             PendingRay mirrored = pending.push();
             mirrored.leave(hit, object, scattering.reflectedX, scattering.reflectedY, scattering.reflectedZ, 0);
-            pass(mirrored);
+            pass(mirrored, path);
         }
-        if (carries(scattering.transmittance, scattering.transmittedX, true)) {
+        path = signed(object, side, REFRACTED);
+        if (carries(scattering.transmittance, scattering.transmittedX, true, path)) {
             goesOn(true);
             double x = scattering.transmittedX;
             double y = scattering.transmittedY;
@@ -269,14 +283,15 @@ public abstract class PathTracer {
             PendingRay refracted = pending.push();
             // A little before the surface, so that what touches it on the other side is met.
             refracted.leave(hit, object, x, y, z, hit.touchingDistance(cosine));
-            pass(refracted);
+            pass(refracted, path);
             refracted.media.cross(object, side > 0);
         }
     }
 
-    private void pass(PendingRay next) {
+    private void pass(PendingRay next, long path) {
         next.depth = depth + 1;
         next.pathLength = pathLength;
+        next.signature = path;
         next.throughput.set(carried);
         next.media.copyFrom(media);
     }
@@ -285,7 +300,7 @@ public abstract class PathTracer {
      * Sets what a continuation carries, and says whether it is followed. One that carries or points to what is not a
      * number ends here.
      */
-    private boolean carries(Rgb fraction, double directionX, boolean isWanted) {
+    private boolean carries(Rgb fraction, double directionX, boolean isWanted, long path) {
         carried.set(throughput).multiply(fraction);
         double largest = carried.largest();
         if (Double.isNaN(largest) || (largest > 0 && Double.isNaN(directionX))) {
@@ -299,6 +314,22 @@ public abstract class PathTracer {
         if (!isFollowed) {
             cut(carried);
         }
-        return isFollowed && survives(carried, largest);
+        return isFollowed && survives(path, carried, largest);
+    }
+
+    /** The signature of the path with its end on a side of an object. */
+    protected final long signatureAt(int object, int side) {
+        return mixed(signature, (long) object << 1 | (side > 0 ? 1 : 0));
+    }
+
+    private long signed(int object, int side, int event) {
+        int piece = scene.object(object).shape().piece(hit);
+        return mixed(signature, ((long) piece << 31 | object) << 3 | (side > 0 ? 4 : 0) | event);
+    }
+
+    private static long mixed(long path, long step) {
+        long mixed = (path + step + 1) * 0x9E3779B97F4A7C15L;
+        mixed = (mixed ^ mixed >>> 32) * 0xD6E8FEB86659FD93L;
+        return mixed ^ mixed >>> 32;
     }
 }

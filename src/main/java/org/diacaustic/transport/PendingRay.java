@@ -30,6 +30,9 @@ final class PendingRay {
     /** The length of the path before, in scene units. */
     double pathLength;
 
+    /** Which way the path came; see {@link PathTracer#signature}. */
+    long signature;
+
     private double originX;
     private double originY;
     private double originZ;
@@ -55,6 +58,7 @@ final class PendingRay {
         passed = 0;
         depth = 0;
         pathLength = 0;
+        signature = 0;
         object = SceneIndex.NONE;
         primitive = 0;
     }

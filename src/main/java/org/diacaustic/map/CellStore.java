@@ -1,0 +1,117 @@
+package org.diacaustic.map;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.diacaustic.math.Vector3;
+
+/**
+ * Cells of light: triangles on receivers with the power they carry, and points of power. Primitive arrays, no object per cell,
+ * 68 bytes each. Tasks fill slices of their own, which are appended in the order of the tasks, so the cells and their order
+ * do not depend on the number of threads. Slices and store take their room from one pool, as those of a
+ * {@link PhotonStore} do.
+ */
+public final class CellStore {
+    /** No store may hold more: arrays of a {@link CausticMesh} have no more places. */
+    public static final int LARGEST_CAPACITY = Integer.MAX_VALUE / 16;
+
+    private final Vector3 origin;
+    private final double powerUnit;
+    private final ChunkPool<CellChunk> pool;
+    private final List<CellChunk> chunks = new ArrayList<>();
+    private int used = CellChunk.SIZE;
+    private long rejected;
+
+    /**
+     * @param origin the middle of what is lit: where the numbers that a mesh keeps are the most exact
+     * @param powerUnit a power of two about the size of a cell's power, in W, so that none is too small or large for single
+     *     precision: powers below 2^-149 units become 0, those from 2^128 units on are left out and counted
+     * @param capacity the most cells that may be stored
+     * @throws IllegalArgumentException if the origin is not finite, the unit not a positive number, or the capacity negative
+     *     or above {@link #LARGEST_CAPACITY}
+     */
+    public CellStore(Vector3 origin, double powerUnit, int capacity) {
+        if (!origin.isFinite() || !(powerUnit > 0 && 1 / powerUnit > 0 && 1 / powerUnit <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("cells need a finite origin and a positive unit of power, but have "
+                    + origin + " and " + powerUnit);
+        }
+        if (capacity > LARGEST_CAPACITY) {
+            throw new IllegalArgumentException(
+                    "a store of cells has a capacity of at most " + LARGEST_CAPACITY + ", not " + capacity);
+        }
+        this.origin = origin;
+        this.powerUnit = powerUnit;
+        this.pool = new ChunkPool<>(CellChunk::new, "cells", capacity);
+    }
+
+    /** An empty slice for one task; may be asked for on any thread. */
+    public CellSlice slice() {
+        return new CellSlice(pool, origin, powerUnit);
+    }
+
+    /**
+     * Appends the cells of a slice of this store, which is empty afterwards and may be filled again.
+     *
+     * @throws PhotonCapacityException if they exceed the capacity
+     */
+    public void append(CellSlice slice) {
+        slice.countRest();
+        rejected += slice.rejectedCount();
+        int left = slice.size();
+        for (int i = 0; left > 0; i++) {
+            int count = Math.min(left, CellChunk.SIZE);
+            append(slice.chunks.get(i), count);
+            left -= count;
+        }
+        slice.release();
+    }
+
+    private void append(CellChunk chunk, int count) {
+        int place = 0;
+        while (place < count) {
+            if (used == CellChunk.SIZE) {
+                chunks.add(pool.take());
+                used = 0;
+            }
+            int next = Math.min(count - place, CellChunk.SIZE - used);
+            chunks.get(chunks.size() - 1).copy(chunk, place, used, next);
+            place += next;
+            used += next;
+        }
+    }
+
+    /** Is empty from now on, and leaves the chunks to the collector. */
+    void forget() {
+        chunks.clear();
+        used = CellChunk.SIZE;
+        rejected = 0;
+        pool.forget();
+    }
+
+    /** The number of cells stored. */
+    public int size() {
+        return chunks.isEmpty() ? 0 : (chunks.size() - 1) * CellChunk.SIZE + used;
+    }
+
+    /** The number of cells left out because their numbers were not finite or their power negative. */
+    public long rejectedCount() {
+        return rejected;
+    }
+
+    /** The memory that the cells take. */
+    public long bytes() {
+        return chunks.size() * CellChunk.BYTES;
+    }
+
+    Vector3 origin() {
+        return origin;
+    }
+
+    double powerUnit() {
+        return powerUnit;
+    }
+
+    /** The chunk of a cell. */
+    CellChunk chunkOf(int cell) {
+        return chunks.get(cell >> CellChunk.BITS);
+    }
+}
