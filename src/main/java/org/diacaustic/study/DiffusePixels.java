@@ -2,6 +2,7 @@ package org.diacaustic.study;
 
 import java.util.BitSet;
 import org.diacaustic.image.ImageMask;
+import org.diacaustic.image.LinearImage;
 import org.diacaustic.material.Material;
 import org.diacaustic.scene.Camera;
 import org.diacaustic.scene.Scene;
@@ -15,10 +16,12 @@ final class DiffusePixels implements ImageMask {
     private static final int NOT_DIFFUSE = -1;
 
     private final int width;
+    private final int height;
     private final BitSet included;
 
-    private DiffusePixels(int width, BitSet included) {
+    private DiffusePixels(int width, int height, BitSet included) {
         this.width = width;
+        this.height = height;
         this.included = included;
     }
 
@@ -47,7 +50,7 @@ final class DiffusePixels implements ImageMask {
             }
             above = below;
         }
-        return new DiffusePixels(width, included);
+        return new DiffusePixels(width, camera.height(), included);
     }
 
     /** The object and its side as one number, or {@link #NOT_DIFFUSE}. */
@@ -65,6 +68,13 @@ final class DiffusePixels implements ImageMask {
     @Override
     public boolean includes(int x, int y) {
         return included.get(y * width + x);
+    }
+
+    /** White where they are, black elsewhere. */
+    LinearImage picture() {
+        LinearImage picture = new LinearImage(width, height);
+        included.stream().forEach(pixel -> picture.set(pixel % width, pixel / width, 1, 1, 1));
+        return picture;
     }
 
     /** How many they are. */

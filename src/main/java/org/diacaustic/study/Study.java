@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.function.IntConsumer;
 import org.diacaustic.parallel.Workers;
 import org.diacaustic.render.PlanException;
@@ -39,17 +40,18 @@ public final class Study {
      */
     public StudyReport run(int threads, ProgressListener listener) throws IOException {
         List<TechniqueStudy> studies = new ArrayList<>();
+        DiffusePixels pixels = DiffusePixels.of(source.read(Map.of()).scene());
         int total = techniques.size() * rays.size();
         for (Technique technique : techniques) {
             int before = studies.size() * rays.size();
-            studies.add(study(technique, threads, done -> listener.progressed(before + done, total)));
+            studies.add(study(technique, pixels, threads, done -> listener.progressed(before + done, total)));
         }
-        return new StudyReport(reference, studies, threads);
+        return new StudyReport(reference, pixels.picture(), studies, threads);
     }
 
-    private TechniqueStudy study(Technique technique, int threads, IntConsumer progress) throws IOException {
+    private TechniqueStudy study(Technique technique, DiffusePixels pixels, int threads, IntConsumer progress)
+            throws IOException {
         TechniqueRender render = new TechniqueRender(source, technique, new Workers(threads));
-        DiffusePixels pixels = DiffusePixels.of(render.scene());
         List<StudyRun> runs = new ArrayList<>();
         try {
             // The first picture also pays for what the virtual machine has to learn.

@@ -12,6 +12,8 @@ import org.diacaustic.image.WholeFile;
 final class StudyFiles {
     static final String REFERENCE = "reference.pfm";
 
+    static final String COUNTED = "counted.png";
+
     private static final String PICTURES = "pictures";
 
     private final StudyReport report;
@@ -32,6 +34,7 @@ final class StudyFiles {
         Exposure exposure = Exposure.auto(report.reference().picture());
         report.reference().write(folder.resolve(REFERENCE));
         ImageFiles.write(report.reference().picture(), exposure, folder.resolve("reference.png"));
+        ImageFiles.write(report.counted(), Exposure.fixed(1), folder.resolve(COUNTED));
         for (TechniqueStudy study : report.studies()) {
             for (StudyRun run : study.runs()) {
                 String name = picture(study.technique(), run);

@@ -14,6 +14,7 @@ final class StudyJson {
     String text() {
         json.beginObject();
         json.put("threads", report.threads());
+        json.put("counted", StudyFiles.COUNTED);
         reference(report.reference());
         json.name("techniques").beginArray();
         report.studies().forEach(this::technique);

@@ -3,9 +3,14 @@ package org.diacaustic.study;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import org.diacaustic.image.LinearImage;
 
-/** What a study found. */
-public record StudyReport(Reference reference, List<TechniqueStudy> studies, int threads) {
+/**
+ * What a study found.
+ *
+ * @param counted white where pixels counted, black elsewhere
+ */
+public record StudyReport(Reference reference, LinearImage counted, List<TechniqueStudy> studies, int threads) {
 
     public StudyReport {
         studies = List.copyOf(studies);

@@ -14,7 +14,6 @@ import org.diacaustic.render.Rendering;
 import org.diacaustic.scene.ForwardSettings;
 import org.diacaustic.scene.MapName;
 import org.diacaustic.scene.MapSettings;
-import org.diacaustic.scene.Scene;
 import org.diacaustic.scene.Settings;
 import org.diacaustic.scenefile.SceneFile;
 
@@ -47,10 +46,6 @@ final class TechniqueRender {
             overrides.putAll(UNBIASED);
         }
         this.file = source.read(overrides);
-    }
-
-    Scene scene() {
-        return file.scene();
     }
 
     long seed() {

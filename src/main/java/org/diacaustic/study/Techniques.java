@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 /** The techniques that a study knows by name. */
 public final class Techniques {
     private static final List<Technique> KNOWN = List.of(
+            over("caustic-mesh", "map=caustic-mesh"),
             into("light-tracing", "preprocessor=random"),
             over("random-photons", "preprocessor=random", "map=photon-map", "estimator=nearest"),
             over("planar-photons", "preprocessor=planar", "map=photon-map", "estimator=nearest"),

@@ -46,6 +46,8 @@ class DiffusePixelsTest {
             }
         }
         assertThat(pixels.count()).isEqualTo(8);
+        assertThat(pixels.picture().get(2, 3)).isEqualTo(Color.WHITE);
+        assertThat(pixels.picture().get(3, 2)).isEqualTo(Color.BLACK);
     }
 
     @Test

@@ -12,7 +12,7 @@ class TechniquesTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-                    planar            | unknown technique 'planar'; known are light-tracing
+                    planar            | unknown technique 'planar'; known are caustic-mesh, light-tracing
                     ''                | unknown technique ''
                     mine:map          | technique 'mine': expected key=value, found 'map'
                     a/b:map=none      | must be of letters, digits, '-', '_' and '.', but is 'a/b'
