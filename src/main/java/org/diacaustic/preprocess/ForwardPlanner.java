@@ -69,7 +69,8 @@ public final class ForwardPlanner {
         if (settings.maps().initialHits() > 0) {
             refuseInitialHitsWithoutEnd();
         }
-        List<Target> targets = targets();
+        // A chart of cells fits one object.
+        List<Target> targets = targets(map != MapName.CAUSTIC_MESH);
         List<Beam> beams = new ArrayList<>();
         double powerUnit = 0;
         for (int i = 0; i < targets.size(); i++) {
@@ -112,9 +113,9 @@ public final class ForwardPlanner {
         return (int) Math.min(Integer.MAX_VALUE - 8, Runtime.getRuntime().maxMemory() / BYTES_A_PHOTON);
     }
 
-    private List<Target> targets() {
+    private List<Target> targets(boolean joins) {
         List<Target> targets = new ArrayList<>();
-        EmissionWindows windows = new EmissionWindows(scene, settings);
+        EmissionWindows windows = new EmissionWindows(scene, settings, joins);
         for (Light light : emitters(scene)) {
             if (light.spread() == Light.Spread.PARALLEL) {
                 refuseEndless(light);

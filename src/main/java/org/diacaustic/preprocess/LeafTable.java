@@ -135,6 +135,15 @@ final class LeafTable {
         return contains(a, b, significant) && contains(b, a, significant);
     }
 
+    /** Whether the rays of a cell's corners, in order around it, and of a place inside agree. */
+    boolean agree(int p, int q, int r, int s, int inside, double significant) {
+        return agree(p, q, significant)
+                && agree(q, r, significant)
+                && agree(r, s, significant)
+                && agree(s, p, significant)
+                && (inside == p || agree(inside, p, significant));
+    }
+
     private boolean contains(int all, int some, double significant) {
         for (int leaf = firstLeaf[some]; leaf < firstLeaf[some + 1]; leaf++) {
             if (weight[leaf] >= significant && alike(leaf, all) < 0) {
