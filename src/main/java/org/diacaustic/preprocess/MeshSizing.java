@@ -133,8 +133,6 @@ final class MeshSizing {
             raysABaseCell += RAYS_A_QUARTERING * mixed[depth];
             depth++;
         }
-        System.err.println("PILOT " + pilot.beam().aim() + " rays " + rays + " base " + rays / raysABaseCell + " mixed "
-                + java.util.Arrays.toString(mixed) + " depth " + depth);
         return new Size(Math.max(4, rays / raysABaseCell), depth);
     }
 

@@ -16,8 +16,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * The control scene's claim [Thesis 5.3] for the mesh: light through a sheet that does not bend it is what straight shadow rays
- * bring, averaged over the footprint. Without noise, the answer can be held to the order of the method: errors
- * fall as 1/N.
+ * bring, averaged over the footprint. There is no noise, so the mesh is held to the order of its method.
  */
 class MeshControlTest {
     /** Half the side of a footprint; the sheet's light is 6 wide. */
@@ -121,26 +120,34 @@ class MeshControlTest {
         return MeshLight.above(0, 0, x - HALF, z - HALF, x + HALF, z + HALF);
     }
 
-    /** Bounds on the errors, times the rays. */
+    /**
+     * Away from edges the error is that of cells, 1/N. So it is at the edges of a chart that ends where the sheet does; any
+     * other one gives light up to the size of its smallest cells, and how small they are is left to a few samples.
+     *
+     * @param innerBound on the error times the rays
+     * @param edgeBound on the error times the rays, or times their root
+     */
     private static void assertStraight(
             String preProcessor, Vector3 lamp, Falloff falloff, double innerBound, double edgeBound) {
         Scene scene = Forward.sheetOverFloor(lamp, falloff);
         for (long rays = 1 << 14; rays <= 1 << 16; rays *= 4) {
             MeshLight light = MeshLight.of(scene, Settings.physical(), preProcessor, rays);
             assertThat(innerError(light, lamp, falloff)).isLessThan(innerBound / rays);
-            assertThat(edgeError(light, lamp, falloff)).isLessThan(edgeBound / rays);
+            double unit = preProcessor.equals("own-map") ? rays : Math.sqrt(rays);
+            assertThat(edgeError(light, lamp, falloff)).isLessThan(edgeBound / unit);
         }
     }
 
     @ParameterizedTest(name = "{0}, {1}")
     @MethodSource("cases")
     void irradiance_givenSheetThatDoesNotBend_isThatOfStraightShadowRays(String preProcessor, Falloff falloff) {
-        assertStraight(preProcessor, HIGH, falloff, 1.5, 16);
+        assertStraight(preProcessor, HIGH, falloff, 1.5, 2);
     }
 
     @ParameterizedTest(name = "{0}, {1}")
     @MethodSource("casesOfLowLamp")
     void irradiance_givenLampJustOverTheSheet_isThatOfStraightShadowRays(String preProcessor, Falloff falloff) {
-        assertStraight(preProcessor, LOW, falloff, 40, 256);
+        boolean endsWithTheSheet = preProcessor.equals("own-map");
+        assertStraight(preProcessor, LOW, falloff, endsWithTheSheet ? 40 : 100, endsWithTheSheet ? 64 : 20);
     }
 }
