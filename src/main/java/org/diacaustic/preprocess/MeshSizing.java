@@ -113,7 +113,7 @@ final class MeshSizing {
 
     /** So many that the cells of a point, and the points of a lamp, are about equally far apart where they land. */
     private static int lightPoints(Beam beam, double rays) {
-        return beam.pointCount() == 1 ? 1 : (int) Math.max(4, Math.min(1 << 16, Math.rint(Math.sqrt(rays) / 4)));
+        return beam.pointCount() == 1 ? 1 : (int) Math.max(4, Math.min(1 << 16, Math.rint(Math.sqrt(rays) / 8)));
     }
 
     /**
