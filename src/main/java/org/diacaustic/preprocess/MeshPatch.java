@@ -140,14 +140,19 @@ final class MeshPatch {
         }
         for (int leaf = leaves.firstLeaf(q); leaf < leaves.endLeaf(q); leaf++) {
             if (leaves.alike(leaf, p) < 0) {
-                makeCell(leaf, -1, leaves.alike(leaf, r), third);
+                makeCell(leaf, -1, free(leaves.alike(leaf, r), p), third);
             }
         }
         for (int leaf = leaves.firstLeaf(r); leaf < leaves.endLeaf(r); leaf++) {
-            if (leaves.alike(leaf, p) < 0 && leaves.alike(leaf, q) < 0) {
+            if (leaves.alike(leaf, p) < 0 && free(leaves.alike(leaf, q), p) < 0) {
                 makePoint(leaf, third);
             }
         }
+    }
+
+    /** A leaf, unless it belongs to one of that corner's: of three on a round surface, the middle one may be like both others. */
+    private int free(int leaf, int corner) {
+        return leaf >= 0 && leaves.alike(leaf, corner) < 0 ? leaf : -1;
     }
 
     /** Makes a cell of a leaf and those like it of other corners, if there are any. */
