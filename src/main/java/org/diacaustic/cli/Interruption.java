@@ -2,10 +2,9 @@ package org.diacaustic.cli;
 
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import org.diacaustic.render.RenderJob;
 
 /**
- * Makes Ctrl-C and SIGTERM stop a job and then wait until what there is has been saved. The process then ends with 130
+ * Makes Ctrl-C and SIGTERM stop work and then wait until what there is has been saved. The process then ends with 130
  * or 143, as the virtual machine does on its own.
  */
 final class Interruption {
@@ -15,9 +14,9 @@ final class Interruption {
     private final CountDownLatch saved = new CountDownLatch(1);
     private final Thread hook;
 
-    private Interruption(RenderJob job) {
+    private Interruption(Runnable cancel) {
         hook = new Thread(() -> {
-            job.cancel();
+            cancel.run();
             try {
                 saved.await(LONGEST_SAVE_SECONDS, TimeUnit.SECONDS);
             } catch (InterruptedException impatient) {
@@ -26,8 +25,9 @@ final class Interruption {
         });
     }
 
-    static Interruption cancelling(RenderJob job) {
-        Interruption interruption = new Interruption(job);
+    /** @param cancel ends the work soon */
+    static Interruption cancelling(Runnable cancel) {
+        Interruption interruption = new Interruption(cancel);
         Runtime.getRuntime().addShutdownHook(interruption.hook);
         return interruption;
     }

@@ -25,17 +25,19 @@ import picocli.CommandLine.HelpCommand;
             "1:internal failure",
             "2:bad input or usage",
             "3:a file cannot be read or written",
-            "4:a resource limit",
+            "4:a resource limit, or a target that was not reached; the picture so far is saved",
             "130, 143:interrupted; the picture so far is saved"
         })
 public final class Main {
-    private static final Map<String, Supplier<Object>> COMMANDS = commands();
+    private final Map<String, Supplier<Object>> commands;
 
-    private Main() {}
+    private Main(ProcessTime time) {
+        commands = commands(time);
+    }
 
-    private static Map<String, Supplier<Object>> commands() {
+    private static Map<String, Supplier<Object>> commands(ProcessTime time) {
         Map<String, Supplier<Object>> commands = new LinkedHashMap<>();
-        commands.put("render", RenderCommand::new);
+        commands.put("render", () -> new RenderCommand(time));
         commands.put("plan", PlanCommand::new);
         commands.put("check", CheckCommand::new);
         commands.put("compare", CompareCommand::new);
@@ -49,11 +51,15 @@ public final class Main {
     public static void main(String[] arguments) {
         // No option has such a type, and to load them costs a small render a fiftieth.
         System.setProperty("picocli.converters.excludes", "java.sql.*,java.time.*");
-        System.exit(run(arguments));
+        System.exit(new Main(ProcessTime.ofMachine()).execute(arguments));
     }
 
     /** Runs the command line and returns its exit code. */
     static int run(String... arguments) {
+        return new Main(ProcessTime.ofCall()).execute(arguments);
+    }
+
+    private int execute(String... arguments) {
         if (arguments.length == 0) {
             commandLine("").usage(System.err);
             return ExitCode.BAD_INPUT;
@@ -67,10 +73,10 @@ public final class Main {
     }
 
     /** Knows the command that is asked for; all of them if it is none, or help: each takes a while to describe. */
-    private static CommandLine commandLine(String asked) {
-        CommandLine commandLine = new CommandLine(new Main());
-        boolean one = COMMANDS.containsKey(asked) && !asked.equals("help");
-        COMMANDS.forEach((name, command) -> {
+    private CommandLine commandLine(String asked) {
+        CommandLine commandLine = new CommandLine(this);
+        boolean one = commands.containsKey(asked) && !asked.equals("help");
+        commands.forEach((name, command) -> {
             if (!one || name.equals(asked)) {
                 commandLine.addSubcommand(name, command.get());
             }
@@ -80,9 +86,9 @@ public final class Main {
         return commandLine;
     }
 
-    private static boolean namesScene(String first) {
+    private boolean namesScene(String first) {
         return !first.startsWith("-")
-                && !COMMANDS.containsKey(first)
+                && !commands.containsKey(first)
                 && (Files.exists(Path.of(first)) || first.matches("(?i).*\\.(ya?ml|json)"));
     }
 

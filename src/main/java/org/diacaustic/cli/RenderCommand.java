@@ -5,13 +5,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.diacaustic.image.Exposure;
 import org.diacaustic.image.ImageFiles;
 import org.diacaustic.image.ImageFormat;
 import org.diacaustic.image.LinearImage;
-import org.diacaustic.render.RenderJob;
+import org.diacaustic.render.Refined;
 import org.diacaustic.render.RenderPlan;
 import org.diacaustic.render.Rendering;
 import org.diacaustic.scenefile.SceneFile;
@@ -36,6 +35,9 @@ final class RenderCommand implements Callable<Integer> {
 
     @Mixin
     private SceneOptions options;
+
+    @Mixin
+    private GoalOptions goals;
 
     @Option(
             names = {"-o", "--output"},
@@ -66,11 +68,19 @@ final class RenderCommand implements Callable<Integer> {
             description = "auto, plain, json, none (default: ${DEFAULT-VALUE}).")
     private ProgressKind progress;
 
+    private final ProcessTime time;
+
+    /** @param time by which the process is measured */
+    RenderCommand(ProcessTime time) {
+        this.time = time;
+    }
+
     @Override
     public Integer call() throws IOException {
         if (threads < 0) {
             throw new ParameterException(spec.commandLine(), "--threads must be at least 0, but is " + threads);
         }
+        goals.refusePasses(options, spec);
         Path picture = picture();
         ImageFiles.checkWritable(picture);
         requireDifferent(picture);
@@ -89,26 +99,32 @@ final class RenderCommand implements Callable<Integer> {
         RenderPlan plan = RenderPlan.of(scene.scene(), scene.settings());
         watch.lap("plan");
         int workers = threads == 0 ? Runtime.getRuntime().availableProcessors() : threads;
-        RenderJob job = new RenderJob(plan, workers, progress.listener(System.err));
-        Interruption interruption = Interruption.cancelling(job);
+        RenderWork work =
+                RenderWork.of(plan, goals.goal(time, scene.scene().camera()), workers, progress.listener(System.err));
+        Interruption interruption = Interruption.cancelling(work.cancel());
         try {
-            Rendering rendering = job.run();
+            Refined refined = work.run().get();
             watch.lap("render");
-            Path target = rendering.isComplete() ? picture : partialName(picture);
-            Exposure exposure = exposure(plan, rendering);
-            ImageFiles.write(rendering.image(), exposure, target);
-            watch.lap("write");
-            report(rendering, exposure, target, watch);
-            if (errorPicture != null) {
-                writeErrorPicture(rendering, exposure);
-            }
-            if (stats != null) {
-                StatisticsFile.write(stats, plan, rendering, exposure, watch);
-            }
+            save(refined, picture, watch);
+            return refined.shortfall().isPresent() ? ExitCode.LIMIT : ExitCode.DONE;
         } finally {
             interruption.saved();
         }
-        return ExitCode.DONE;
+    }
+
+    private void save(Refined refined, Path picture, Stopwatch watch) throws IOException {
+        Rendering rendering = refined.rendering();
+        Path target = rendering.isComplete() ? picture : partialName(picture);
+        Exposure exposure = exposure(refined.plan(), rendering);
+        ImageFiles.write(rendering.image(), exposure, target);
+        watch.lap("write");
+        RenderReport.print(refined, exposure, target, watch.total());
+        if (errorPicture != null) {
+            writeErrorPicture(rendering, exposure);
+        }
+        if (stats != null) {
+            StatisticsFile.write(stats, refined, exposure, watch);
+        }
     }
 
     private void writeErrorPicture(Rendering rendering, Exposure exposure) throws IOException {
@@ -165,27 +181,5 @@ final class RenderCommand implements Callable<Integer> {
         return plan.settings().isExposureAutomatic()
                 ? Exposure.auto(rendering.image())
                 : Exposure.fixed(plan.settings().exposure());
-    }
-
-    private static void report(Rendering rendering, Exposure exposure, Path target, Stopwatch watch) {
-        boolean linear = ImageFormat.of(target).isLinear();
-        String line = String.format(
-                Locale.ROOT,
-                "%s: %d x %d, %s, %.2f s",
-                target,
-                rendering.image().width(),
-                rendering.image().height(),
-                linear ? "linear radiance" : String.format(Locale.ROOT, "exposure %.6g", exposure.factor()),
-                watch.total());
-        if (rendering.isComplete()) {
-            System.out.println(line);
-        } else {
-            System.err.printf(
-                    Locale.ROOT,
-                    "diacaustic: interrupted; saved %.0f %% of the picture as %s%n",
-                    100.0 * rendering.tilesDone() / rendering.tilesTotal(),
-                    line);
-        }
-        rendering.nonFiniteReport().ifPresent(warning -> System.err.println("diacaustic: warning: " + warning));
     }
 }

@@ -28,7 +28,7 @@ final class SceneOptions {
             description = "auto, none, random, monte-carlo, planar, cube, own-map, adaptive.")
     private String preProcessor;
 
-    @Option(names = "--map", paramLabel = "M", description = "auto, none, ambient-maps, photon-map.")
+    @Option(names = "--map", paramLabel = "M", description = "auto, none, ambient-maps, photon-map, caustic-mesh.")
     private String map;
 
     @Option(
@@ -69,6 +69,10 @@ final class SceneOptions {
 
     Path path() {
         return scene;
+    }
+
+    boolean hasPasses() {
+        return passes != null;
     }
 
     boolean debug() {

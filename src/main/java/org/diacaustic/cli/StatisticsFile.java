@@ -6,14 +6,19 @@ import java.lang.management.MemoryPoolMXBean;
 import java.lang.management.MemoryType;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Locale;
 import org.diacaustic.image.Exposure;
 import org.diacaustic.image.WholeFile;
 import org.diacaustic.json.JsonWriter;
 import org.diacaustic.preprocess.EnergyLedger;
 import org.diacaustic.preprocess.ForwardCounters;
+import org.diacaustic.preprocess.ForwardPlan;
+import org.diacaustic.preprocess.ForwardTotals;
 import org.diacaustic.render.Counters;
+import org.diacaustic.render.Refined;
 import org.diacaustic.render.RenderPlan;
 import org.diacaustic.render.Rendering;
+import org.diacaustic.render.Round;
 
 /** What {@code --stats} writes. Parts that did not run are there, as zeros. */
 final class StatisticsFile {
@@ -23,8 +28,9 @@ final class StatisticsFile {
         WholeFile.checkWritable(path);
     }
 
-    static void write(Path path, RenderPlan plan, Rendering rendering, Exposure exposure, Stopwatch watch)
-            throws IOException {
+    static void write(Path path, Refined refined, Exposure exposure, Stopwatch watch) throws IOException {
+        RenderPlan plan = refined.plan();
+        Rendering rendering = refined.rendering();
         JsonWriter json = new JsonWriter();
         json.beginObject();
         json.put("seed", plan.settings().seed());
@@ -45,6 +51,7 @@ final class StatisticsFile {
         json.put("build", rendering.forward().buildSeconds());
         json.end();
         json.name("counters").beginObject();
+        json.put("plannedLightRays", plan.forward().map(ForwardPlan::rays).orElse(0L));
         counters(rendering.counters(), rendering.forward().counters(), json);
         json.end();
         json.name("energy").beginObject();
@@ -53,9 +60,16 @@ final class StatisticsFile {
         json.name("memory").beginObject();
         json.put("imageBytes", plan.imageBytes());
         json.put("mapBytes", rendering.forward().mapBytes());
+        json.put("bytesPerCell", bytesPerCell(plan, rendering.forward()));
         json.put("peakHeapBytes", peakHeapBytes());
         json.end();
         json.put("errorEstimate", rendering.errorEstimate());
+        json.put("noiseEstimate", rendering.noiseEstimate());
+        json.name("rounds").beginArray();
+        refined.rounds().forEach(round -> round(round, json));
+        json.end();
+        json.put("end", refined.end().name().toLowerCase(Locale.ROOT).replace('_', '-'));
+        json.put("shortfall", refined.shortfall().orElse(null));
         json.end();
         WholeFile.write(path, out -> out.write(json.toString().getBytes(StandardCharsets.UTF_8)));
     }
@@ -77,6 +91,21 @@ final class StatisticsFile {
         json.put("nodesExamined", eye.nodesExamined());
         json.put("photonsUsed", eye.photonsUsed());
         json.put("cells", forward.cells());
+    }
+
+    private static void round(Round round, JsonWriter json) {
+        json.beginObject();
+        json.put("lightRays", round.lightRays());
+        json.put("passes", round.passes());
+        json.put("seconds", round.seconds());
+        json.put("estimate", round.estimate());
+        json.end();
+    }
+
+    /** Of a caustic mesh and the coarser one beside it, for a cell of the former; 0 if there is none. */
+    private static double bytesPerCell(RenderPlan plan, ForwardTotals forward) {
+        long cells = forward.counters().cells();
+        return cells == 0 ? 0 : (double) forward.mapBytes() * plan.passes() / cells;
     }
 
     private static void energy(EnergyLedger ledger, JsonWriter json) {

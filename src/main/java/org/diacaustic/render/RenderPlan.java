@@ -33,16 +33,25 @@ public final class RenderPlan {
     private final Scene scene;
     private final Settings settings;
     private final SceneIndex index;
+    private final Map<String, Shader> shaders;
+    private final List<PreProcessor> preProcessors;
     private final Optional<ForwardPlan> forward;
     private final Shader shader;
     private final MediumStack mediaAtEye;
     private final Light[] visibleLights;
     private final List<Decision> decisions;
 
-    private RenderPlan(Scene scene, Settings settings, Map<String, Shader> shaders, List<PreProcessor> preProcessors) {
+    private RenderPlan(
+            Scene scene,
+            Settings settings,
+            SceneIndex index,
+            Map<String, Shader> shaders,
+            List<PreProcessor> preProcessors) {
         this.scene = scene;
         this.settings = settings;
-        this.index = SceneIndex.of(scene.objects(), settings.usesListOrder());
+        this.index = index;
+        this.shaders = shaders;
+        this.preProcessors = List.copyOf(preProcessors);
         SceneTraits traits = new SceneTraits(scene);
         ForwardChoice forwardChoice = new ForwardChoice(scene, index, settings, traits);
         this.forward = forwardChoice.plan(preProcessors);
@@ -87,7 +96,17 @@ public final class RenderPlan {
                         "a shader of one's own must not be named '" + shader.name() + "': that is the name of another");
             }
         }
-        return new RenderPlan(scene, settings, shaders, preProcessors);
+        SceneIndex index = SceneIndex.of(scene.objects(), settings.usesListOrder());
+        return new RenderPlan(scene, settings, index, shaders, preProcessors);
+    }
+
+    /** The same, but for the light rays of a pass, where 0 leaves them to the plan, and the number of passes. */
+    RenderPlan with(long rays, int passes) {
+        Settings changed = settings.toBuilder()
+                .forward(
+                        settings.forward().toBuilder().rays(rays).passes(passes).build())
+                .build();
+        return new RenderPlan(scene, changed, index, shaders, preProcessors);
     }
 
     public Scene scene() {
@@ -124,8 +143,14 @@ public final class RenderPlan {
 
     /** The bytes that the picture itself takes; the largest long if that is too small a number. */
     public long imageBytes() {
+        return imageBytes(passes() > 1);
+    }
+
+    /** As {@link #imageBytes()}, if there may or may not be more than one pass. */
+    private long imageBytes(boolean isMean) {
         long pixels = (long) scene.camera().width() * scene.camera().height();
-        long bytesPerPixel = 3L * Float.BYTES + (passes() > 1 ? 3L * Double.BYTES : 0);
+        long bytesPerPixel =
+                3L * Float.BYTES + (isMean ? 6L * Double.BYTES : 0) + (estimatesError() ? 3L * Float.BYTES : 0);
         return pixels > Long.MAX_VALUE / bytesPerPixel ? Long.MAX_VALUE : pixels * bytesPerPixel;
     }
 
@@ -173,6 +198,33 @@ public final class RenderPlan {
         return settings.normalizesHighlights() ? lobe * (exponent + 1) / (2 * Math.PI) : lobe;
     }
 
+    /** Light rays that are to be chosen in a pass; 0 if there is no forward pass. */
+    long lightRays() {
+        return forward.map(ForwardPlan::rays).orElse(0L);
+    }
+
+    /** Eye rays of a pass; a number that no whole one need hold. */
+    double eyeRays() {
+        return (double) scene.camera().width() * scene.camera().height() * settings.samples();
+    }
+
+    int tileCount() {
+        return tilesAcross() * tilesDown();
+    }
+
+    /** Tiles in an order that jumps over the picture, so that the time left can be told from those that are done. */
+    int scatteredTile(int number) {
+        int stride = (int) (tileCount() * 0.618) | 1;
+        while (gcd(stride, tileCount()) != 1) {
+            stride += 2;
+        }
+        return (int) ((long) number * stride % tileCount());
+    }
+
+    private static int gcd(int a, int b) {
+        return b == 0 ? a : gcd(b, a % b);
+    }
+
     int tilesAcross() {
         return (scene.camera().width() + TILE_SIZE - 1) / TILE_SIZE;
     }
@@ -181,11 +233,14 @@ public final class RenderPlan {
         return (scene.camera().height() + TILE_SIZE - 1) / TILE_SIZE;
     }
 
-    /** @throws ResourceLimitException if the picture does not fit in the memory that is left */
-    void requireMemory() {
+    /**
+     * @param isMean whether there may be more than one pass
+     * @throws ResourceLimitException if the picture does not fit in the memory that is left
+     */
+    void requireMemory(boolean isMean) {
         Runtime runtime = Runtime.getRuntime();
         long available = runtime.maxMemory() - (runtime.totalMemory() - runtime.freeMemory());
-        long needed = imageBytes();
+        long needed = imageBytes(isMean);
         long pixels = (long) scene.camera().width() * scene.camera().height();
         if (needed > available || pixels > (Integer.MAX_VALUE - 8) / 3) {
             throw ResourceLimitException.ofMemory(
@@ -193,6 +248,13 @@ public final class RenderPlan {
                             + scene.camera().height(),
                     needed,
                     Math.min(available, 4L * Integer.MAX_VALUE));
+        }
+    }
+
+    /** @throws ResourceLimitException if so many passes have more tiles than can be counted */
+    void requireCountable(int passes) {
+        if ((long) passes * tileCount() > Integer.MAX_VALUE) {
+            throw new ResourceLimitException(passes + " passes over a picture of this size are too many to be counted");
         }
     }
 }

@@ -11,6 +11,8 @@ import org.diacaustic.preprocess.ForwardTotals;
  *
  * @param image linear radiance; black where a cancelled render did not come
  * @param differences by how much pixels would change with a map half as fine; null if there was none
+ * @param noiseEstimate the standard error over the passes: root of the mean square ÷ mean of the picture. What all passes have
+ *     wrong in the same way, such as light spread by a gather radius, is not in it. Not a number if there is no telling from one pass
  * @param counters what was done
  * @param forward what the forward passes did; all zeros if there were none
  * @param threads how many threads did it
@@ -21,6 +23,7 @@ import org.diacaustic.preprocess.ForwardTotals;
 public record Rendering(
         LinearImage image,
         LinearImage differences,
+        double noiseEstimate,
         Counters counters,
         ForwardTotals forward,
         int threads,
@@ -67,7 +70,8 @@ public record Rendering(
             squares += (double) changes[i] * changes[i];
             sum += values[i];
         }
-        return Math.sqrt(squares / values.length) / (sum / values.length) * ERROR_OF_CHANGE;
+        // Nothing is wrong with a picture that stays black.
+        return squares == 0 ? 0 : Math.sqrt(squares / values.length) / (sum / values.length) * ERROR_OF_CHANGE;
     }
 
     /** How much was infinite or not a number, and where the first of it was; nothing if all was well. */
