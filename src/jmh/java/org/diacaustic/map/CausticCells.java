@@ -1,6 +1,7 @@
 package org.diacaustic.map;
 
-import java.util.Arrays;
+import java.util.ArrayList;
+import java.util.List;
 import org.diacaustic.math.Rgb;
 import org.diacaustic.math.Vector3;
 
@@ -56,53 +57,68 @@ final class CausticCells {
         }
     }
 
-    /** The pixels, row by row, whose corners lie on one object. */
-    static Footprint[] pixels(int side) {
-        Footprint[] all = new Footprint[side * side];
-        int found = 0;
-        for (int row = 0; row < side; row++) {
+    /** Pixels whose corners lie on one object, row by row, from some of the rows of a picture. */
+    static List<Pixel> pixels(int side) {
+        List<Pixel> pixels = new ArrayList<>();
+        int rows = Math.max(1, side * side / 20_000);
+        for (int row = 0; row < side; row += rows) {
             for (int column = 0; column < side; column++) {
-                Footprint pixel = pixel(side, column, row);
+                Pixel pixel = pixel(side, column, row);
                 if (pixel != null) {
-                    all[found++] = pixel;
+                    pixels.add(pixel);
                 }
             }
         }
-        return Arrays.copyOf(all, found);
+        return pixels;
     }
 
-    private static Footprint pixel(int side, int column, int row) {
-        Footprint pixel = new Footprint();
+    private static Pixel pixel(int side, int column, int row) {
         SurfacePoint at = new SurfacePoint();
-        if (!see(at, (column + 0.5) / side, (row + 0.5) / side, null)) {
+        double[] rays = new double[24];
+        if (!see(at, (column + 0.5) / side, (row + 0.5) / side, rays, 0)) {
             return null;
         }
-        pixel.begin(at);
-        pixel.reach(at.object == 1 ? Double.POSITIVE_INFINITY : 0);
         SurfacePoint corner = new SurfacePoint();
         int[] steps = {0, 0, 1, 1, 0};
         for (int i = 0; i < 4; i++) {
-            if (!see(corner, (double) (column + steps[i]) / side, (double) (row + steps[i + 1]) / side, pixel)
-                    || corner.object != at.object) {
+            double u = (double) (column + steps[i]) / side;
+            double v = (double) (row + steps[i + 1]) / side;
+            if (!see(corner, u, v, rays, 6 * i) || corner.object != at.object) {
                 return null;
             }
         }
-        return pixel.close() ? pixel : null;
+        Pixel pixel = new Pixel(at, rays);
+        Footprint footprint = new Footprint();
+        pixel.fill(footprint);
+        return footprint.close() ? pixel : null;
     }
 
-    /** What the eye of {@link CausticPhotons#queries} sees; adds it as a corner, if there is a footprint. */
-    private static boolean see(SurfacePoint out, double u, double v, Footprint footprint) {
+    /** What the eye of {@link CausticPhotons#queries} sees, and how. */
+    private static boolean see(SurfacePoint out, double u, double v, double[] rays, int place) {
         double dx = 0.62 * (2 * u - 1);
         double dy = -0.7071 - 0.44 * (2 * v - 1);
         double dz = -0.7071 + 0.44 * (2 * v - 1);
         double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
-        dx /= length;
-        dy /= length;
-        dz /= length;
-        boolean lands = CausticPhotons.land(out, 0, 1.2, 2.2, dx, dy, dz);
-        if (footprint != null) {
-            footprint.addCorner(out.x, out.y, out.z, dx, dy, dz);
-        }
+        rays[place + 3] = dx / length;
+        rays[place + 4] = dy / length;
+        rays[place + 5] = dz / length;
+        boolean lands = CausticPhotons.land(out, 0, 1.2, 2.2, rays[place + 3], rays[place + 4], rays[place + 5]);
+        rays[place] = out.x;
+        rays[place + 1] = out.y;
+        rays[place + 2] = out.z;
         return lands;
+    }
+
+    /** What a pixel sees: a point, and place and direction of its four corners. */
+    record Pixel(SurfacePoint at, double[] rays) {
+
+        /** Light on the sphere may be off the polygon by as much as a large cell's chord is. */
+        void fill(Footprint footprint) {
+            footprint.begin(at);
+            footprint.reach(at.object == 1 ? 0.1 : 0);
+            for (int i = 0; i < rays.length; i += 6) {
+                footprint.addCorner(rays[i], rays[i + 1], rays[i + 2], rays[i + 3], rays[i + 4], rays[i + 5]);
+            }
+        }
     }
 }

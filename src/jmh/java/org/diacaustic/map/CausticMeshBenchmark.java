@@ -1,5 +1,6 @@
 package org.diacaustic.map;
 
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.diacaustic.math.Rgb;
 import org.diacaustic.parallel.Workers;
@@ -15,7 +16,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** The time to ask a mesh of a caustic about a pixel, row by row: about 30 small triangles in each, or few large ones. */
+/** The time to make a footprint of a pixel and to ask a mesh of a caustic about it, row by row. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
@@ -23,16 +24,16 @@ import org.openjdk.jmh.annotations.Warmup;
 @Warmup(iterations = 3, time = 1)
 @Measurement(iterations = 5, time = 1)
 public class CausticMeshBenchmark {
-    @Param({"65536", "1000000"})
+    @Param({"65536", "262144", "1000000"})
     public int cells;
 
     /** The pixels in a row of the picture. */
     @Param({"256", "1024"})
     public int side;
 
-    private Footprint[] pixels;
+    private List<CausticCells.Pixel> pixels;
     private FootprintLookup lookup;
-    private final SurfacePoint at = new SurfacePoint();
+    private final Footprint footprint = new Footprint();
     private final Rgb irradiance = new Rgb();
     private int next;
 
@@ -45,8 +46,11 @@ public class CausticMeshBenchmark {
 
     @Benchmark
     public double query() {
-        next = next + 1 < pixels.length ? next + 1 : 0;
-        lookup.irradiance(pixels[next], at, irradiance);
+        next = next + 1 < pixels.size() ? next + 1 : 0;
+        CausticCells.Pixel pixel = pixels.get(next);
+        pixel.fill(footprint);
+        footprint.close();
+        lookup.irradiance(footprint, pixel.at(), irradiance);
         return irradiance.red;
     }
 }

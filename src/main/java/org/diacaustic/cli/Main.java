@@ -42,6 +42,7 @@ public final class Main {
         commands.put("check", CheckCommand::new);
         commands.put("compare", CompareCommand::new);
         commands.put("reproduce", ReproduceCommand::new);
+        commands.put("study", StudyCommand::new);
         commands.put("help", HelpCommand::new);
         return commands;
     }

@@ -19,8 +19,8 @@ import org.diacaustic.parallel.Workers;
  * }</pre>
  *
  * <p>Leaves come in the order of their numbers. Every range is halved at the median of the items' places along the
- * widest side, as that of a {@link PointTree} is, or of their sizes where those differ more; so no arrangement of the items makes the tree deeper. The boxes are those
- * of the items, 24 bytes a node. Nothing is allocated by a walk. Immutable, and safe for many threads.
+ * widest side, as that of a {@link PointTree} is, or of their extents where those differ more; so no arrangement of the
+ * items makes the tree deeper. The boxes are those of the items, 24 bytes a node. Nothing is allocated by a walk. Immutable, and safe for many threads.
  */
 public final class BoxTree {
     /** What {@link #next} returns when no leaf is left. No leaf is negative. */
@@ -140,6 +140,12 @@ public final class BoxTree {
     public double middle(int leaf, int axis) {
         int place = 6 * (leaves + leaf) + axis;
         return middle(boxes, place);
+    }
+
+    /** The width of a leaf's box along x, y or z: 0, 1 or 2. */
+    public double width(int leaf, int axis) {
+        int place = 6 * (leaves + leaf) + axis;
+        return (double) boxes[place + 3] - boxes[place];
     }
 
     /** The middle between the smallest coordinate at a place and the largest. */

@@ -10,10 +10,10 @@ public final class BoxWalk {
     public static final int LARGEST_PLANES = 6;
 
     /** What {@link #touches} returns for a box that is apart from the region. */
+    static final int APART = -1;
+
     /** Makes up for the rounding of boxes that are larger than the region. */
     private static final float WIDER = 1 + 0x1p-19f;
-
-    static final int APART = -1;
 
     final int[] nodes = new int[BoxTree.LARGEST_DEPTH];
 
@@ -30,10 +30,12 @@ public final class BoxWalk {
     private float highY;
     private float highZ;
 
-    /** Eight numbers a plane: n, 2c and |n| of n · x + c ≥ 0, and twice the margin. */
+    /** Eight numbers a plane: n, 2c and |n| of n · x + c ≥ 0, at a scale where n is about 1; and twice the margin. */
     private final float[] planes = new float[8 * LARGEST_PLANES];
 
     private int planeCount;
+
+    /** The planes that may cut the box of the leaf that was found last. */
     int leafCutting;
 
     /** Sets the region to a closed box, without planes. A bound that is not a number bounds nothing. */

@@ -17,6 +17,7 @@ final class MedianSelection {
     private final float[] x;
     private final float[] y;
     private final float[] z;
+
     /** A fourth number of each point, or null. */
     private final float[] extents;
 

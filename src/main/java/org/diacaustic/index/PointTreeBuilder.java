@@ -11,14 +11,16 @@ final class PointTreeBuilder {
     /** Trees of fewer points are built by the calling thread. */
     private static final int SHARED_SIZE = 1 << 14;
 
-    private static final float MUCH_LARGER = 4;
-
     /** The level whose subtrees are one task each. */
     private static final int SHARED_LEVELS = 6;
+
+    /** Things are parted by size only where the largest are so many times as large as the smallest. */
+    private static final float MUCH_LARGER = 4;
 
     private final float[] x;
     private final float[] y;
     private final float[] z;
+
     /** How large the points are that stand for something; null if they do not. */
     private final float[] extents;
 

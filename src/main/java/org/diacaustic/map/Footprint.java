@@ -97,8 +97,9 @@ public final class Footprint {
      * Sets how far from the polygon, along the eye's rays, before and behind it, light is still taken to be on the same part of
      * the surface.
      *
-     * @param distance in scene units: 0 for a flat surface, where rounding is made up for; positive infinity for a
-     *     convex one; else at least how far the surface is from the polygon
+     * @param distance in scene units: 0, as it is by default, for a flat surface, where rounding is made up for; else at
+     *     least how far surface and cells are from the polygon. Positive infinity is right for a convex surface, but then
+     *     all cells before and behind are looked at, which takes twice as long
      */
     public void reach(double distance) {
         reach = distance;

@@ -10,10 +10,13 @@ import org.diacaustic.math.Vector3;
  */
 final class FootprintRegion {
     /**
-     * What rounding in tree and mesh may move, in units of length; lit places are at most about two units from the origin. It
-     * makes regions touch more boxes, and slabs thicker; it does not move what cuts the cells.
+     * What rounding in boxes may move, in parts of the largest coordinate of what is asked about. It makes regions touch more
+     * boxes, and slabs thicker; it does not move what cuts the cells.
      */
     static final double ROUNDING = 0x1p-20;
+
+    /** Of the offsets of cells, in parts of the width of their leaf's box. */
+    private static final double OFFSET_ROUNDING = 0x1p-24;
 
     /** Packed normals are off by half of this: light that may face the eye is taken to. */
     private static final double GRAZING = 0x1p-12;
@@ -39,7 +42,11 @@ final class FootprintRegion {
     private double slabMiddle;
 
     private double slabHalf;
+
+    /** The leaf's middle, from that of the slab; and what rounding may move its cells, which are kept as offsets from it. */
     private double slabAtLeaf;
+
+    private double slabRounding;
 
     /** Neighbours often have the same normal, which need not be asked again. */
     private int lastNormal;
@@ -139,7 +146,14 @@ final class FootprintRegion {
                 atLeaf[i + 1] = y - middles[i + 1];
                 atLeaf[i + 2] = z - middles[i + 2];
             }
-            slabAtLeaf = footprint.polygonX * x + footprint.polygonY * y + footprint.polygonZ * z - slabMiddle;
+            double nx = footprint.polygonX;
+            double ny = footprint.polygonY;
+            double nz = footprint.polygonZ;
+            slabAtLeaf = nx * x + ny * y + nz * z - slabMiddle;
+            slabRounding = OFFSET_ROUNDING
+                    * (Math.abs(nx) * tree.width(leaf, 0)
+                            + Math.abs(ny) * tree.width(leaf, 1)
+                            + Math.abs(nz) * tree.width(leaf, 2));
         }
         return leaf;
     }
@@ -190,14 +204,7 @@ final class FootprintRegion {
             double first = nx * (ax + x) + ny * (ay + y) + nz * (az + z);
             double second = nx * (bx + x) + ny * (by + y) + nz * (bz + z);
             double third = nx * (cx + x) + ny * (cy + y) + nz * (cz + z);
-            if (first <= 0 && second <= 0 && third <= 0) {
-                boolean inPlane = first == 0 && second == 0 && third == 0;
-                if (!(inPlane && sides.holdsPlane[side])) {
-                    return 0;
-                }
-            } else if (first < 0 || second < 0 || third < 0) {
-                clip.add(first, second, third);
-            }
+            clip.add(first, second, third, sides.holdsPlane[side]);
         }
         return clip.fraction();
     }
@@ -207,8 +214,9 @@ final class FootprintRegion {
         double first = slabAtLeaf + alongPolygonNormal(cell, 0);
         double second = slabAtLeaf + alongPolygonNormal(cell, 3);
         double third = slabAtLeaf + alongPolygonNormal(cell, 6);
-        return (first <= slabHalf || second <= slabHalf || third <= slabHalf)
-                && (first >= -slabHalf || second >= -slabHalf || third >= -slabHalf);
+        double half = slabHalf + slabRounding;
+        return (first <= half || second <= half || third <= half)
+                && (first >= -half || second >= -half || third >= -half);
     }
 
     private double alongPolygonNormal(int cell, int vertex) {

@@ -73,13 +73,14 @@ final class PointDensity {
         double vz = at.normalX * uy - at.normalY * ux;
         double all = Double.POSITIVE_INFINITY;
         walk.box(-all, -all, -all, all, all, all);
-        cutBothSides(ux, uy, uz, ux * atX + uy * atY + uz * atZ);
-        cutBothSides(vx, vy, vz, vx * atX + vy * atY + vz * atZ);
+        double rounding = FootprintRegion.ROUNDING * Math.max(Math.abs(atX), Math.max(Math.abs(atY), Math.abs(atZ)));
+        cutBothSides(ux, uy, uz, ux * atX + uy * atY + uz * atZ, rounding);
+        cutBothSides(vx, vy, vz, vx * atX + vy * atY + vz * atZ, rounding);
         mesh.tree.start(walk);
     }
 
-    private void cutBothSides(double nx, double ny, double nz, double along) {
-        double margin = FootprintRegion.ROUNDING * (Math.abs(nx) + Math.abs(ny) + Math.abs(nz));
+    private void cutBothSides(double nx, double ny, double nz, double along, double rounding) {
+        double margin = rounding * (Math.abs(nx) + Math.abs(ny) + Math.abs(nz));
         walk.cut(nx, ny, nz, -along, margin);
         walk.cut(-nx, -ny, -nz, along, margin);
     }

@@ -3,44 +3,76 @@ package org.diacaustic.map;
 /**
  * How much of a triangle is on the positive side of some planes, from nothing but the distances of its vertices to
  * them. It is cut in barycentric coordinates, where every triangle is the same half of a unit square: no area is
- * divided by, and slivers, lines and points are triangles like any others. Working storage of one task.
+ * divided by, and slivers, lines and points are triangles like any others.
+ *
+ * <p>Which vertices are on which side is anyone's guess, so that code which branches on it waits for its guesses most of the
+ * time. Signs are taken from the bits of numbers instead. Working storage of one task.
  */
 final class TriangleClip {
-    /** A triangle has gained a vertex for each plane. */
-    private static final int LARGEST = 3 + Footprint.LARGEST_CORNERS;
+    /**
+     * Exactly, a triangle gains at most a vertex for each of 4 planes. Where rounding makes every second vertex lie on the
+     * other side, n become at most 3n/2; and one is written before it is known whether it is wanted.
+     */
+    private static final int ROOM = 16;
 
-    /** Three numbers a plane: the distances of the vertices, on any scale, not all of the same sign. */
-    private final double[] distances = new double[3 * Footprint.LARGEST_CORNERS];
+    /** By the signs of the three distances as bits, 1 for negative: the vertex that is alone on its side. */
+    private static final int[] LONE = {0, 0, 1, 2, 2, 1, 0, 0};
+
+    /** Likewise: 1 if the lone vertex is on the negative side, so that its corner is what is missing. */
+    private static final double[] WHOLE = {1, 1, 1, 0, 1, 0, 0, 0};
+
+    /** Three numbers a plane: the distances of the vertices, on any scale. */
+    private final double[] distances = new double[3 * (Footprint.LARGEST_CORNERS + 1)];
 
     private int planes;
 
-    /** The weights of the second and third vertex at every vertex of what is left. */
-    private double[] u = new double[LARGEST];
+    /** Negative if all of the triangle is on the wrong side of a plane. */
+    private long outside;
 
-    private double[] v = new double[LARGEST];
-    private double[] otherU = new double[LARGEST];
-    private double[] otherV = new double[LARGEST];
+    /** The weights of the second and third vertex at every vertex of what is left. */
+    private double[] u = new double[ROOM];
+
+    private double[] v = new double[ROOM];
+    private double[] otherU = new double[ROOM];
+    private double[] otherV = new double[ROOM];
     private int count;
 
     void begin() {
         planes = 0;
+        outside = 0;
     }
 
-    /** Adds a plane that some of the vertices are on the wrong side of. */
-    void add(double first, double second, double third) {
-        int i = 3 * planes++;
-        distances[i] = first;
-        distances[i + 1] = second;
-        distances[i + 2] = third;
+    /**
+     * Adds a plane, unless all of the triangle is on its positive side; at most 4.
+     *
+     * @param first the distance of the first vertex, as are the others
+     * @param holdsPlane whether what lies in the plane is on the positive side
+     */
+    void add(double first, double second, double third, boolean holdsPlane) {
+        int i = 3 * planes;
+        // No zero has a sign then.
+        double a = first + 0.0;
+        double b = second + 0.0;
+        double c = third + 0.0;
+        distances[i] = a;
+        distances[i + 1] = b;
+        distances[i + 2] = c;
+        long p = Double.doubleToRawLongBits(a);
+        long q = Double.doubleToRawLongBits(b);
+        long r = Double.doubleToRawLongBits(c);
+        // The bits of 0 less 1 are those of a negative number.
+        long lean = holdsPlane ? 0 : 1;
+        outside |= p - lean & q - lean & r - lean;
+        planes += (int) ((p | q | r) >>> 63);
     }
 
-    /** The part of the triangle that is inside of all planes. */
+    /** The part of the triangle that is on the positive side of all planes. */
     double fraction() {
-        if (planes == 0) {
-            return 1;
+        if (outside < 0) {
+            return 0;
         }
-        if (planes == 1) {
-            return fraction(distances[0], distances[1], distances[2]);
+        if (planes <= 1) {
+            return planes == 0 ? 1 : fractionOfOne();
         }
         u[0] = 0;
         v[0] = 0;
@@ -49,7 +81,7 @@ final class TriangleClip {
         u[2] = 0;
         v[2] = 1;
         count = 3;
-        for (int i = 0; i < 3 * planes; i += 3) {
+        for (int i = 0; i < 3 * planes && count > 0; i += 3) {
             cut(distances[i], distances[i + 1], distances[i + 2]);
         }
         double twice = 0;
@@ -59,45 +91,43 @@ final class TriangleClip {
         return Math.min(1, Math.max(0, twice));
     }
 
-    /** The part of the triangle that is on the positive side of the only plane. */
-    private static double fraction(double first, double second, double third) {
-        if (first > 0) {
-            if (second > 0) {
-                return 1 - corner(third, first, second);
-            }
-            return third > 0 ? 1 - corner(second, third, first) : corner(first, second, third);
-        }
-        if (second > 0) {
-            return third > 0 ? 1 - corner(first, second, third) : corner(second, third, first);
-        }
-        return corner(third, first, second);
+    /** The part on the positive side of the only plane: the corner at the lone vertex, or what that leaves. */
+    private double fractionOfOne() {
+        int signs = (int) (sign(distances[0]) | sign(distances[1]) << 1 | sign(distances[2]) << 2);
+        int lone = LONE[signs];
+        double distance = distances[lone];
+        double other = distances[lone == 2 ? 0 : lone + 1];
+        double another = distances[lone == 0 ? 2 : lone - 1];
+        double corner = distance / (distance - other) * (distance / (distance - another));
+        return Math.abs(WHOLE[signs] - corner);
     }
 
-    /** The part of a triangle that is on the same side of a plane as one vertex, when the other two are not. */
-    private static double corner(double distance, double other, double another) {
-        return distance / (distance - other) * (distance / (distance - another));
+    private static long sign(double value) {
+        return Double.doubleToRawLongBits(value) >>> 63;
     }
 
     /** Leaves what is on the positive side of a plane [Sutherland and Hodgman 1974]. */
     private void cut(double first, double second, double third) {
         double alongU = second - first;
         double alongV = third - first;
+        double uBefore = u[count - 1];
+        double vBefore = v[count - 1];
+        double before = first + uBefore * alongU + vBefore * alongV + 0.0;
         int kept = 0;
-        int before = count - 1;
-        double distanceBefore = count == 0 ? 0 : first + u[before] * alongU + v[before] * alongV;
         for (int i = 0; i < count; i++) {
-            double distance = first + u[i] * alongU + v[i] * alongV;
-            if (distanceBefore < 0 && distance > 0 || distanceBefore > 0 && distance < 0) {
-                double t = distanceBefore / (distanceBefore - distance);
-                otherU[kept] = u[before] + t * (u[i] - u[before]);
-                otherV[kept++] = v[before] + t * (v[i] - v[before]);
-            }
-            if (distance >= 0) {
-                otherU[kept] = u[i];
-                otherV[kept++] = v[i];
-            }
-            before = i;
-            distanceBefore = distance;
+            double uHere = u[i];
+            double vHere = v[i];
+            double here = first + uHere * alongU + vHere * alongV + 0.0;
+            double t = before / (before - here);
+            otherU[kept] = uBefore + t * (uHere - uBefore);
+            otherV[kept] = vBefore + t * (vHere - vBefore);
+            kept += (int) (sign(before) ^ sign(here));
+            otherU[kept] = uHere;
+            otherV[kept] = vHere;
+            kept += (int) (1 - sign(here));
+            uBefore = uHere;
+            vBefore = vHere;
+            before = here;
         }
         double[] swapU = u;
         u = otherU;

@@ -1,9 +1,11 @@
 /**
- * Where the light that the forward pass brings is kept, and how it is read again: photons in primitive arrays, maps over
- * them. This package takes numbers (points, normals, object numbers, powers) and knows no scene. Start reading at
+ * Where the light that the forward pass brings is kept, and how it is read again: photons in primitive arrays, triangles
+ * of light, maps over them. This package takes numbers (points, normals, object numbers, powers) and knows no scene. Start reading at
  * {@link org.diacaustic.map.IlluminationMap}. Photons go from {@link org.diacaustic.map.PhotonSlice} to
  * {@link org.diacaustic.map.PhotonStore} to {@link org.diacaustic.map.PhotonTree}, which
- * {@link org.diacaustic.map.PhotonMap} reads.
+ * {@link org.diacaustic.map.PhotonMap} reads. Cells of light go from {@link org.diacaustic.map.CellSlice} to
+ * {@link org.diacaustic.map.CellStore} to {@link org.diacaustic.map.CausticMesh}, which is asked about a
+ * {@link org.diacaustic.map.Footprint}.
  *
  * <ul>
  *   <li>[Thesis] H. A. Bailey, 1999; 4.5 to 4.8 for photon maps.
@@ -14,6 +16,7 @@
  *   <li>[Meyer et al. 2010] Q. Meyer, J. Süßmuth, G. Sußner, M. Stamminger, G. Greiner, On floating-point normal vectors.
  *   <li>[Roberts 2018] M. Roberts, The unreasonable effectiveness of quasirandom sequences.
  *   <li>[Silverman 1986] B. W. Silverman, Density estimation for statistics and data analysis.
+ *   <li>[Sutherland and Hodgman 1974] I. E. Sutherland, G. W. Hodgman, Reentrant polygon clipping.
  * </ul>
  */
 package org.diacaustic.map;

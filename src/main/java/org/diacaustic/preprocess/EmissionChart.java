@@ -5,6 +5,7 @@ package org.diacaustic.preprocess;
  * Immutable.
  */
 public abstract class EmissionChart {
+    private static final int SAMPLES = 8;
 
     /**
      * Sets origin and direction of the ray at (p, q), and how much of light space a unit of the square's area stands for
@@ -17,6 +18,15 @@ public abstract class EmissionChart {
 
     /** How much of light space a unit of the square's area stands for at (p, q): what {@link #aim} sets as measure. */
     public abstract double density(double p, double q);
+
+    /** About the mean of {@link #density}. */
+    final double meanDensity() {
+        double sum = 0;
+        for (int i = 0; i < SAMPLES * SAMPLES; i++) {
+            sum += density((i % SAMPLES + 0.5) / SAMPLES, (i / SAMPLES + 0.5) / SAMPLES);
+        }
+        return sum / (SAMPLES * SAMPLES);
+    }
 
     /** How much of light space lies in a triangle of the square, without error where the density is quadratic in it. */
     final double measure(double p0, double q0, double p1, double q1, double p2, double q2) {

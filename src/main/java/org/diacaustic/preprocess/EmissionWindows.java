@@ -16,15 +16,18 @@ import org.diacaustic.scene.Settings;
 final class EmissionWindows {
     private final Scene scene;
     private final Settings settings;
+    private final boolean joins;
 
-    EmissionWindows(Scene scene, Settings settings) {
+    /** @param joins whether objects share a window where that is no larger than theirs together */
+    EmissionWindows(Scene scene, Settings settings, boolean joins) {
         this.scene = scene;
         this.settings = settings;
+        this.joins = joins;
     }
 
     /**
-     * The windows of a light: one for each specular object, or for several where one window around them is no larger than
-     * theirs together. One for the whole scene if rays are not to be aimed.
+     * The windows of a light: one for each specular object or, if they may be joined, for several where one window around them
+     * is no larger than theirs together. One for the whole scene if rays are not to be aimed.
      */
     List<EmissionWindow> of(Light light) {
         if (!settings.forward().aimsAtSpecular()) {
@@ -41,7 +44,7 @@ final class EmissionWindows {
                         new EmissionWindow(one, scene.objects().get(i).shape().bounds()));
             }
         }
-        while (joinTwo(windows, light)) {
+        while (joins && joinTwo(windows, light)) {
             // Until no two are better joined.
         }
         return windows;

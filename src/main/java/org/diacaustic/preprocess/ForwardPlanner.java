@@ -69,16 +69,20 @@ public final class ForwardPlanner {
         if (settings.maps().initialHits() > 0) {
             refuseInitialHitsWithoutEnd();
         }
-        List<Target> targets = targets();
+        // A chart of cells fits one object.
+        List<Target> targets = targets(map != MapName.CAUSTIC_MESH);
         List<Beam> beams = new ArrayList<>();
         double powerUnit = 0;
         for (int i = 0; i < targets.size(); i++) {
             Target target = targets.get(i);
             Beam beam = beam(i, target, Math.max(1, Math.round(rays * share(target, targets))));
-            preProcessor.refusal(beam).ifPresent(reason -> {
+            boolean isMesh = map == MapName.CAUSTIC_MESH;
+            (isMesh ? preProcessor.cellRefusal(beam) : preProcessor.refusal(beam)).ifPresent(reason -> {
                 throw new ForwardPlanException("preprocessor '" + preProcessor.name() + "' cannot serve light "
                         + (scene.lights().indexOf(target.light) + 1) + ", because " + reason
-                        + "; take cube, adaptive, random or monte-carlo");
+                        + (isMesh
+                                ? "; take own-map, cube or adaptive"
+                                : "; take cube, adaptive, random or monte-carlo"));
             });
             beams.add(beam);
             powerUnit = Math.max(powerUnit, typicalPower(beam, target, isWeighted));
@@ -112,9 +116,9 @@ public final class ForwardPlanner {
         return (int) Math.min(Integer.MAX_VALUE - 8, Runtime.getRuntime().maxMemory() / BYTES_A_PHOTON);
     }
 
-    private List<Target> targets() {
+    private List<Target> targets(boolean joins) {
         List<Target> targets = new ArrayList<>();
-        EmissionWindows windows = new EmissionWindows(scene, settings);
+        EmissionWindows windows = new EmissionWindows(scene, settings, joins);
         for (Light light : emitters(scene)) {
             if (light.spread() == Light.Spread.PARALLEL) {
                 refuseEndless(light);

@@ -118,7 +118,7 @@ final class LeafTable {
         double x = place[b] - place[a];
         double y = place[b + 1] - place[a + 1];
         double z = place[b + 2] - place[a + 2];
-        double rounding = ROUNDING * (Math.abs(place[a]) + Math.abs(place[a + 1]) + Math.abs(place[a + 2]));
+        double rounding = ROUNDING * (size(a) + size(b));
         double steepest = STEEPEST_SINE * Arithmetic.length(x, y, z) + rounding;
         double cosine = place[a + 3] * place[b + 3] + place[a + 4] * place[b + 4] + place[a + 5] * place[b + 5];
         return cosine > ALIKE_COSINE
@@ -126,9 +126,22 @@ final class LeafTable {
                 && Math.abs(place[b + 3] * x + place[b + 4] * y + place[b + 5] * z) <= steepest;
     }
 
+    private double size(int i) {
+        return Math.abs(place[i]) + Math.abs(place[i + 1]) + Math.abs(place[i + 2]);
+    }
+
     /** Whether all leaves of either ray that carry at least such a part have one in the other that came the same way. */
     boolean agree(int a, int b, double significant) {
         return contains(a, b, significant) && contains(b, a, significant);
+    }
+
+    /** Whether the rays of a cell's corners, in order around it, and of a place inside agree. */
+    boolean agree(int p, int q, int r, int s, int inside, double significant) {
+        return agree(p, q, significant)
+                && agree(q, r, significant)
+                && agree(r, s, significant)
+                && agree(s, p, significant)
+                && (inside == p || agree(inside, p, significant));
     }
 
     private boolean contains(int all, int some, double significant) {

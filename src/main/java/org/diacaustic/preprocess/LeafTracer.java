@@ -4,7 +4,6 @@ import org.diacaustic.light.LightPoint;
 import org.diacaustic.map.SurfacePoint;
 import org.diacaustic.math.Rgb;
 import org.diacaustic.parallel.StopSignal;
-import org.diacaustic.transport.PathRules;
 
 /** Follows light rays with all their branches, and notes where each lands: the corners of cells. Owned by one task. */
 final class LeafTracer extends LightPathTracer {
@@ -14,14 +13,22 @@ final class LeafTracer extends LightPathTracer {
     static final int ESCAPED = 3;
     static final int CUT = 4;
 
+    /** Light that carries a smaller fraction of its ray's flux is not followed, unless the settings follow everything. */
+    private static final double LEAST_THROUGHPUT = 0x1p-11;
+
+    private static final double LEAST_IMPORTANCE = 0x1p-5;
+
+    private final ForwardPlan plan;
     private final SurfacePoint at = new SurfacePoint();
     private final Rgb flux = new Rgb();
     private final Rgb power = new Rgb();
     private LeafTable table;
     private ForwardCounters counters;
+    private double least;
 
-    LeafTracer(ForwardPlan plan, PathRules rules, StopSignal stop) {
-        super(plan.index(), rules, stop);
+    LeafTracer(ForwardPlan plan, StopSignal stop) {
+        super(plan.index(), plan.rules(), stop);
+        this.plan = plan;
     }
 
     /** Says where the next rays are noted and counted. */
@@ -30,9 +37,15 @@ final class LeafTracer extends LightPathTracer {
         counters = taskCounters;
     }
 
-    /** Follows a ray from a point of the beam's light, and gives its number in the table. */
-    int trace(Beam from, LightPoint point, LightRay primary) {
+    /**
+     * Follows a ray from a point of the beam's light, and gives its number in the table.
+     *
+     * @param importance how much of light space it stands for, compared with others: of those that stand for little, parts
+     *     are given up the sooner
+     */
+    int trace(Beam from, LightPoint point, LightRay primary, double importance) {
         int number = table.startRay();
+        least = plan.rouletteThroughput() > 0 ? LEAST_THROUGHPUT / Math.max(LEAST_IMPORTANCE, importance) : 0;
         from.light().emit(point, primary.directionX, primary.directionY, primary.directionZ, flux);
         counters.primaryRays++;
         if (!flux.isBlack()) {
@@ -111,6 +124,15 @@ final class LeafTracer extends LightPathTracer {
     @Override
     protected void escapes() {
         book(ESCAPED, throughput.red, throughput.green, throughput.blue);
+    }
+
+    @Override
+    protected boolean survives(long path, Rgb fraction, double largest) {
+        if (largest >= least) {
+            return true;
+        }
+        cut(fraction);
+        return false;
     }
 
     @Override

@@ -12,8 +12,8 @@ import org.diacaustic.light.LightPoint;
  * @param columns base cells along p, even
  * @param rows base cells along q, even
  * @param depth how often a base cell may be halved
- * @param cuts whether triangles that are still mixed then are cut; otherwise they become points
  * @param pointShare the part of the light that the point stands for
+ * @param meanDensity of light space on the chart
  */
 record MeshLattice(
         Beam beam,
@@ -22,15 +22,12 @@ record MeshLattice(
         int columns,
         int rows,
         int depth,
-        boolean cuts,
-        double pointShare) {
-
-    /** How often the edge of a triangle is halved to find where it is to be cut. */
-    static final int CUT_BITS = 7;
+        double pointShare,
+        double meanDensity) {
 
     /** Places of the grid along the side of a base cell. */
     int cellSize() {
-        return 1 << depth + CUT_BITS;
+        return 1 << depth;
     }
 
     /** Aims the ray of a place. */

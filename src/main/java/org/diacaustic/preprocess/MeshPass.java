@@ -45,7 +45,7 @@ public final class MeshPass {
     /** Runs the pass, once. */
     public MeshPass run() {
         List<Patch> patches = new ArrayList<>();
-        for (MeshLattice lattice : MeshSizing.lattices(plan, pass, workers, counters)) {
+        for (MeshLattice lattice : new MeshSizing(plan, pass).lattices(workers, counters)) {
             addPatches(lattice, patches);
         }
         AtomicInteger done = new AtomicInteger();
@@ -80,7 +80,7 @@ public final class MeshPass {
         EnergyLedger[] ledgers = new EnergyLedger[count];
         ForwardCounters[] counts = new ForwardCounters[count];
         workers.run(count, () -> {
-            MeshPatch maker = new MeshPatch(new LeafTracer(plan, MeshSizing.rules(plan), workers.stop()));
+            MeshPatch maker = new MeshPatch(new LeafTracer(plan, workers.stop()));
             return task -> {
                 slices[task] = cells.slice();
                 largeSlices[task] = largeCells.slice();

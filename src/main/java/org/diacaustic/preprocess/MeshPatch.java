@@ -8,8 +8,8 @@ import org.diacaustic.math.SampleStream;
 /**
  * Makes the cells of a patch of a lattice: the rays of a cell's corners, and of one place within it that is left to chance,
  * must all have come the same way; then it is triangles on what they lit, with the power that went in between them.
- * Otherwise it is quartered as often as that is worth it, and at last cut where the ways part; what has no clear cut becomes
- * points. So all light is kept, and none twice.
+ * Otherwise it is quartered as often as that is worth it. Of light that has still come from some corners only, triangles
+ * become lines and points. So all light is kept, and none twice.
  *
  * <p>Along with the cells goes a mesh of cells twice as large, from the same rays: how much the two differ tells their
  * error. Owned by one task, used for one patch after the other.
@@ -27,8 +27,6 @@ final class MeshPatch {
     private final SurfacePoint b = new SurfacePoint();
     private final SurfacePoint c = new SurfacePoint();
     private final Rgb power = new Rgb();
-    private final Cut leftCut = new Cut();
-    private final Cut rightCut = new Cut();
     private MeshLattice lattice;
     private CellSlice cells;
     /** Null while the larger cells are made, which are no light of their own. */
@@ -90,18 +88,16 @@ final class MeshPatch {
         int q = rayAt(x + side, y);
         int r = rayAt(x + side, y + side);
         int s = rayAt(x, y + side);
-        if (agree(p, q, r, s, inside, negligible(depth))) {
-            double endX = x + (double) side;
-            double endY = y + (double) side;
-            makeTriangle(p, q, inside, lattice.measure(x, y, endX, y, insideX, insideY));
-            makeTriangle(q, r, inside, lattice.measure(endX, y, endX, endY, insideX, insideY));
-            makeTriangle(r, s, inside, lattice.measure(endX, endY, x, endY, insideX, insideY));
-            makeTriangle(s, p, inside, lattice.measure(x, endY, x, y, insideX, insideY));
-        } else if (depth > 0 && !agree(p, q, r, s, inside, worthwhile(depth))) {
+        if (depth > 0 && !leaves.agree(p, q, r, s, inside, worthwhile(depth))) {
             quarter(x, y, side, depth);
-        } else {
-            cutHalves(x, y, side, p, q, r, s);
+            return;
         }
+        double endX = x + (double) side;
+        double endY = y + (double) side;
+        makeCells(p, q, inside, lattice.measure(x, y, endX, y, insideX, insideY));
+        makeCells(q, r, inside, lattice.measure(endX, y, endX, endY, insideX, insideY));
+        makeCells(r, s, inside, lattice.measure(endX, endY, x, endY, insideX, insideY));
+        makeCells(s, p, inside, lattice.measure(x, endY, x, y, insideX, insideY));
     }
 
     private void quarter(int x, int y, int side, int depth) {
@@ -117,110 +113,26 @@ final class MeshPatch {
         int q = rayAt(x + side, y);
         int r = rayAt(x + side, y + side);
         int s = rayAt(x, y + side);
-        if (agree(p, q, r, s, p, negligible(depth))) {
-            double endX = x + (double) side;
-            double endY = y + (double) side;
-            makeTriangle(p, q, r, lattice.measure(x, y, endX, y, endX, endY));
-            makeTriangle(p, r, s, lattice.measure(x, y, endX, endY, x, endY));
-        } else if (depth > 0 && !agree(p, q, r, s, p, worthwhile(depth))) {
+        if (depth > 0 && !leaves.agree(p, q, r, s, p, worthwhile(depth))) {
             quarter(x, y, side, depth);
-        } else {
-            cutHalves(x, y, side, p, q, r, s);
+            return;
         }
+        double endX = x + (double) side;
+        double endY = y + (double) side;
+        makeCells(p, q, r, lattice.measure(x, y, endX, y, endX, endY));
+        makeCells(p, r, s, lattice.measure(x, y, endX, endY, x, endY));
     }
 
     /** The part of light from which on a cell is cut for it: as much power as all light has in the smallest cells. */
-    private static double worthwhile(int depth) {
+    static double worthwhile(int depth) {
         return Math.max(SIGNIFICANT, Math.scalb(0.5, -2 * depth));
-    }
-
-    /** The part of light below which it does not matter that it becomes points. */
-    private static double negligible(int depth) {
-        return Math.max(SIGNIFICANT, Math.scalb(0x1p-6, -2 * depth));
-    }
-
-    private boolean agree(int p, int q, int r, int s, int inside, double significant) {
-        return leaves.agree(p, q, significant)
-                && leaves.agree(q, r, significant)
-                && leaves.agree(r, s, significant)
-                && leaves.agree(s, p, significant)
-                && (inside == p || leaves.agree(inside, p, significant));
-    }
-
-    private void cutHalves(int x, int y, int side, int p, int q, int r, int s) {
-        cutTriangle(x, y, p, x + side, y, q, x + side, y + side, r);
-        cutTriangle(x, y, p, x + side, y + side, r, x, y + side, s);
-    }
-
-    /** Makes what can be made of a mixed triangle, the places and rays of whose corners are given. */
-    private void cutTriangle(int ax, int ay, int p, int bx, int by, int q, int cx, int cy, int r) {
-        double measure = lattice.measure(ax, ay, bx, by, cx, cy);
-        boolean first = leaves.agree(p, q, SIGNIFICANT);
-        boolean second = leaves.agree(q, r, SIGNIFICANT);
-        boolean third = leaves.agree(r, p, SIGNIFICANT);
-        if (!lattice.cuts() || (first ? 1 : 0) + (second ? 1 : 0) + (third ? 1 : 0) != 1) {
-            makeTriangle(p, q, r, measure);
-        } else if (second) {
-            cutCorner(ax, ay, p, bx, by, q, cx, cy, r, measure);
-        } else if (third) {
-            cutCorner(bx, by, q, cx, cy, r, ax, ay, p, measure);
-        } else {
-            cutCorner(cx, cy, r, ax, ay, p, bx, by, q, measure);
-        }
-    }
-
-    /** Cuts off the first corner, from which light went another way than from both others. */
-    private void cutCorner(int ax, int ay, int p, int bx, int by, int q, int cx, int cy, int r, double measure) {
-        Cut left = leftCut.find(ax, ay, p, bx, by, q);
-        Cut right = rightCut.find(ax, ay, p, cx, cy, r);
-        if (!leaves.agree(left.beyond, q, SIGNIFICANT) || !leaves.agree(right.beyond, r, SIGNIFICANT)) {
-            makeTriangle(p, q, r, measure);
-            return;
-        }
-        makeTriangle(p, left.before, right.before, lattice.measure(ax, ay, left.x, left.y, right.x, right.y));
-        makeTriangle(left.beyond, q, r, lattice.measure(left.x, left.y, bx, by, cx, cy));
-        makeTriangle(left.beyond, r, right.beyond, lattice.measure(left.x, left.y, cx, cy, right.x, right.y));
-    }
-
-    /** Where an edge is to be cut: between two rays of it that are close together. */
-    private final class Cut {
-        int before;
-        int beyond;
-        double x;
-        double y;
-
-        Cut find(int ax, int ay, int p, int bx, int by, int q) {
-            before = p;
-            beyond = q;
-            int lowX = ax;
-            int lowY = ay;
-            int highX = bx;
-            int highY = by;
-            for (int i = 0; i < MeshLattice.CUT_BITS; i++) {
-                int middleX = (lowX + highX) / 2;
-                int middleY = (lowY + highY) / 2;
-                int middle = rayAt(middleX, middleY);
-                if (leaves.agree(middle, p, SIGNIFICANT)) {
-                    before = middle;
-                    lowX = middleX;
-                    lowY = middleY;
-                } else {
-                    beyond = middle;
-                    highX = middleX;
-                    highY = middleY;
-                }
-            }
-            x = 0.5 * lowX + 0.5 * highX;
-            y = 0.5 * lowY + 0.5 * highY;
-            return this;
-        }
     }
 
     /**
      * Makes triangles of the light that came the same way from all three corners, lines between those of two, and points of
      * what else there is.
      */
-    private void makeTriangle(int p, int q, int r, double measure) {
+    private void makeCells(int p, int q, int r, double measure) {
         book(p, q, r, measure);
         double third = measure / 3;
         for (int leaf = leaves.firstLeaf(p); leaf < leaves.endLeaf(p); leaf++) {
@@ -228,14 +140,19 @@ final class MeshPatch {
         }
         for (int leaf = leaves.firstLeaf(q); leaf < leaves.endLeaf(q); leaf++) {
             if (leaves.alike(leaf, p) < 0) {
-                makeCell(leaf, -1, leaves.alike(leaf, r), third);
+                makeCell(leaf, -1, free(leaves.alike(leaf, r), p), third);
             }
         }
         for (int leaf = leaves.firstLeaf(r); leaf < leaves.endLeaf(r); leaf++) {
-            if (leaves.alike(leaf, p) < 0 && leaves.alike(leaf, q) < 0) {
+            if (leaves.alike(leaf, p) < 0 && free(leaves.alike(leaf, q), p) < 0) {
                 makePoint(leaf, third);
             }
         }
+    }
+
+    /** A leaf, unless it belongs to one of that corner's: of three on a round surface, the middle one may be like both others. */
+    private int free(int leaf, int corner) {
+        return leaf >= 0 && leaves.alike(leaf, corner) < 0 ? leaf : -1;
     }
 
     /** Makes a cell of a leaf and those like it of other corners, if there are any. */
@@ -285,6 +202,6 @@ final class MeshPatch {
 
     private int trace(double x, double y) {
         lattice.aim(x, y, ray);
-        return tracer.trace(lattice.beam(), lattice.point(), ray);
+        return tracer.trace(lattice.beam(), lattice.point(), ray, ray.measure / lattice.meanDensity());
     }
 }

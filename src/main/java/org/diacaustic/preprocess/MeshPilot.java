@@ -2,85 +2,154 @@ package org.diacaustic.preprocess;
 
 import java.util.List;
 import org.diacaustic.light.LightPoint;
+import org.diacaustic.math.Rgb;
+import org.diacaustic.math.SampleStream;
 
-/**
- * What a few rays found of a beam before it is cut into cells.
- *
- * @param beam that was looked into
- * @param power that its light brings to diffuse surfaces, about, in W
- * @param cells that were looked at
- * @param mixed cells from whose corners light went different ways
- * @param growth how many times more of them there are when all are quartered: 2 along borders, 4 if ways part everywhere
- */
-record MeshPilot(Beam beam, double power, double cells, double mixed, double growth) {
-    private static final int SIDE = 32;
-    private static final int LEAST_SIDE = 8;
+/** Looks with a few rays into a beam, before it is cut into cells, to find what that will take. Owned by one task. */
+final class MeshPilot {
+    /** Cells along each side that are looked at for their power, for enough rays. */
+    private static final int SIDE = 16;
 
-    /** The part of light that decides. */
-    private static final double STRONG = 0x1p-6;
+    /** Cells that are looked at to see how often they will be quartered, for enough rays. */
+    private static final int CELLS = 512;
 
-    /** The cells along each side that are worth it for a beam of so many rays: no more than a sixteenth of them. */
-    static int side(long rays) {
-        int side = SIDE;
-        while (side > LEAST_SIDE && side * side > rays / 16) {
-            side /= 2;
-        }
-        return side;
+    /** The part of a beam's rays that may go in advance. */
+    private static final double SHARE = 1.0 / 16;
+
+    private final Beam beam;
+    private final LeafTracer tracer;
+    private double tornPower;
+    private double allPower;
+    private final LeafTable leaves = new LeafTable();
+    private final LightPoint middle = new LightPoint();
+    private final LightRay ray = new LightRay();
+    private final Rgb power = new Rgb();
+    private final List<EmissionChart> charts;
+
+    /** @param counters to which the rays are added */
+    MeshPilot(PreProcessor preProcessor, Beam beam, LeafTracer tracer, ForwardCounters counters) {
+        this.beam = beam;
+        this.tracer = tracer;
+        beam.light().emitFrom(0.5, 0.5, middle);
+        this.charts = preProcessor.charts(beam, middle);
+        tracer.startTask(leaves, counters);
     }
 
-    /** Looks into a beam, from the middle of its light. */
-    static MeshPilot of(PreProcessor preProcessor, Beam beam, LeafTracer tracer, int side, ForwardCounters counters) {
-        LightPoint middle = new LightPoint();
-        beam.light().emitFrom(0.5, 0.5, middle);
-        double power = 0;
-        double cells = 0;
-        double mixed = 0;
-        double mixedTwice = 0;
-        LeafTable leaves = new LeafTable();
-        LightRay ray = new LightRay();
-        List<EmissionChart> charts = preProcessor.charts(beam, middle);
+    /** About the power, in W, that the beam brings to diffuse surfaces, from the middle of its light. */
+    double power(long rays) {
+        int side = (int) Math.max(4, Math.min(SIDE, Math.sqrt(rays * SHARE)));
+        double sum = 0;
         for (EmissionChart chart : charts) {
             leaves.clear();
-            tracer.startTask(leaves, counters);
-            for (int row = 0; row <= side; row++) {
-                for (int column = 0; column <= side; column++) {
-                    chart.aim((double) column / side, (double) row / side, ray);
-                    int number = tracer.trace(beam, middle, ray);
-                    power += ray.measure * leaves.booked(number, LeafTracer.STORED);
-                }
-            }
-            cells += side * side;
-            mixed += mixed(leaves, side, 1);
-            mixedTwice += mixed(leaves, side, 2);
-        }
-        double growth = mixedTwice == 0 ? 2 : Math.max(1.5, Math.min(4, mixed / mixedTwice));
-        return new MeshPilot(beam, power / ((side + 1) * (side + 1)), cells, mixed, growth);
-    }
-
-    private static int mixed(LeafTable leaves, int side, int step) {
-        int count = 0;
-        for (int row = 0; row < side; row += step) {
-            for (int column = 0; column < side; column += step) {
-                int p = row * (side + 1) + column;
-                int r = p + step * (side + 1);
-                boolean agrees = leaves.agree(p, p + step, STRONG)
-                        && leaves.agree(p + step, r + step, STRONG)
-                        && leaves.agree(r + step, r, STRONG);
-                count += agrees ? 0 : 1;
+            for (int i = 0; i < side * side; i++) {
+                chart.aim((i % side + 0.5) / side, (i / side + 0.5) / side, ray);
+                int number = tracer.trace(beam, middle, ray, 1);
+                sum += ray.measure * leaves.booked(number, LeafTracer.STORED);
             }
         }
-        return count;
+        return sum / (side * side);
     }
 
-    /** How many of so many cells will be mixed. */
-    double mixedAt(double baseCells) {
-        double halvings = 0.5 * StrictMath.log(baseCells / cells) / StrictMath.log(2);
-        double estimate = mixed * StrictMath.pow(growth, halvings);
-        return Math.min(baseCells, estimate);
+    /**
+     * How many cells are mixed on each level, for one base cell: those of the base, their quarters, and so on.
+     *
+     * @param baseCells of all charts together
+     */
+    double[] mixed(double baseCells, int levels, double rays, SampleStream random) {
+        double area = 0;
+        for (EmissionChart chart : charts) {
+            area += chart.width() * chart.height();
+        }
+        double step = Math.sqrt(area / baseCells);
+        double samples = Math.max(16, Math.min(CELLS, rays * SHARE / 8));
+        double[] mixed = new double[levels];
+        int looked = 0;
+        for (EmissionChart chart : charts) {
+            double part = chart.width() * chart.height() / area;
+            for (int i = 0; i < Math.ceil(samples * part); i++) {
+                double width = Math.min(1, step / chart.width());
+                double height = Math.min(1, step / chart.height());
+                leaves.clear();
+                look(
+                        chart,
+                        random.nextDouble() * (1 - width),
+                        random.nextDouble() * (1 - height),
+                        width,
+                        height,
+                        mixed);
+                looked++;
+            }
+        }
+        for (int i = 0; i < levels; i++) {
+            mixed[i] /= looked;
+        }
+        return mixed;
     }
 
-    /** By which the rays are dealt out: errors grow with the power and fall with the rays, so their squares' sum is least. */
-    double importance() {
-        return power > 0 ? StrictMath.cbrt(power * power) : 0;
+    /** The part of the power whose cells would be points after so many quarterings. */
+    double tornPart(double baseCells, int levels, double rays, SampleStream random) {
+        tornPower = 0;
+        allPower = 0;
+        mixed(baseCells, levels, rays, random);
+        return allPower > 0 ? tornPower / allPower : 0;
+    }
+
+    /** Adds up what power in a cell comes from all of its corners, and what does not. */
+    private void weigh(int p, int q, int r, int s, double measure) {
+        int[] corners = {p, q, r, s};
+        for (int corner : corners) {
+            for (int leaf = leaves.firstLeaf(corner); leaf < leaves.endLeaf(corner); leaf++) {
+                power.set(0, 0, 0);
+                leaves.addPower(leaf, measure, power);
+                allPower += power.sum();
+                boolean isShared = leaves.alike(leaf, p) >= 0
+                        && leaves.alike(leaf, q) >= 0
+                        && leaves.alike(leaf, r) >= 0
+                        && leaves.alike(leaf, s) >= 0;
+                tornPower += isShared ? 0 : power.sum();
+            }
+        }
+    }
+
+    /** Counts a base cell if it is mixed, and follows one of its quarters, which stands for all, to the next level. */
+    private void look(EmissionChart chart, double p, double q, double width, double height, double[] mixed) {
+        SampleStream random = new SampleStream();
+        random.start(Double.doubleToLongBits(p), Double.doubleToLongBits(q), 0);
+        double left = p;
+        double top = q;
+        double size = 1;
+        double stands = 1;
+        for (int level = 0; level < mixed.length; level++) {
+            double right = left + width * size;
+            double bottom = top + height * size;
+            int inside = trace(chart, 0.5 * (left + right), 0.5 * (top + bottom));
+            int corner = trace(chart, left, top);
+            int second = trace(chart, right, top);
+            int third = trace(chart, right, bottom);
+            int fourth = trace(chart, left, bottom);
+            double worthwhile = MeshPatch.worthwhile(mixed.length - level);
+            boolean agrees = leaves.agree(corner, second, third, fourth, inside, worthwhile);
+            if (agrees || level == mixed.length - 1) {
+                weigh(corner, second, third, fourth, size * size * stands * chart.density(left, top));
+            }
+            if (agrees) {
+                return;
+            }
+            mixed[level] += stands;
+            size /= 2;
+            stands *= 4;
+            left += random.nextDouble() < 0.5 ? 0 : width * size;
+            top += random.nextDouble() < 0.5 ? 0 : height * size;
+        }
+    }
+
+    private int trace(EmissionChart chart, double p, double q) {
+        chart.aim(p, q, ray);
+        return tracer.trace(beam, middle, ray, 1);
+    }
+
+    /** The beam that is looked into. */
+    Beam beam() {
+        return beam;
     }
 }

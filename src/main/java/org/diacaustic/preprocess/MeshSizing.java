@@ -5,93 +5,89 @@ import java.util.List;
 import org.diacaustic.light.LightPoint;
 import org.diacaustic.math.SampleStream;
 import org.diacaustic.parallel.Workers;
-import org.diacaustic.transport.PathRules;
 
 /**
- * Deals out the rays of a mesh: to the beams by the light that they bring, to the points of a lamp, to base cells and to cutting
- * them where ways part. What that takes is found out by a few rays first.
+ * Deals out the rays of a mesh: to the beams by the light that they bring, to the points of a lamp, to base cells and to
+ * quartering them where ways part. What that takes is found out by a few rays first.
  */
 final class MeshSizing {
-    /** Light that carries a smaller fraction of its ray's flux is not followed. */
-    private static final double LEAST_THROUGHPUT = 0x1p-11;
-
-    /** The rays of a cut triangle's edges, for one cell that is still mixed. */
-    private static final double RAYS_A_CUT = 8.5;
-
     /** The new rays that quartering a cell needs, neighbours' rays shared. */
     private static final double RAYS_A_QUARTERING = 3.5;
 
     /** The rays of a base cell: a corner, and one inside. */
     private static final double RAYS_A_CELL = 2;
 
-    /** The part of the rays that is for base cells. */
-    private static final double BASE_SHARE = 0.5;
+    /** The part of the rays that is for base cells, if the others find a use. */
+    private static final double BASE_SHARE = 0.4;
 
     private static final int LARGEST_DEPTH = 6;
     private static final int MOST_COLUMNS = 1 << 14;
 
     private final ForwardPlan plan;
-    private final ForwardCounters counters;
+    private final int pass;
 
-    private MeshSizing(ForwardPlan plan, ForwardCounters counters) {
+    MeshSizing(ForwardPlan plan, int pass) {
         this.plan = plan;
-        this.counters = counters;
+        this.pass = pass;
     }
 
-    /** How paths are followed that make a mesh. */
-    static PathRules rules(ForwardPlan plan) {
-        PathRules given = plan.rules();
-        return new PathRules(
-                given.scattering(),
-                given.mode(),
-                given.maxDepth(),
-                plan.rouletteThroughput() > 0 ? LEAST_THROUGHPUT : 0,
-                given.followsReflections(),
-                given.asksListOnly());
-    }
-
-    /** The lattices of all beams. */
-    static List<MeshLattice> lattices(ForwardPlan plan, int pass, Workers workers, ForwardCounters counters) {
-        return new MeshSizing(plan, counters).lattices(pass, workers);
-    }
-
-    private List<MeshLattice> lattices(int pass, Workers workers) {
+    /**
+     * The lattices of all beams; none if the workers were stopped.
+     *
+     * @param counters to which the rays sent in advance are added
+     */
+    List<MeshLattice> lattices(Workers workers, ForwardCounters counters) {
         List<Beam> beams = plan.beams();
-        MeshPilot[] pilots = new MeshPilot[beams.size()];
-        int side = MeshPilot.side(plan.rays() / Math.max(1, beams.size()));
-        ForwardCounters[] counts = new ForwardCounters[beams.size()];
-        workers.run(beams.size(), () -> {
-            LeafTracer tracer = new LeafTracer(plan, rules(plan), workers.stop());
-            return i -> {
-                counts[i] = new ForwardCounters();
-                pilots[i] = MeshPilot.of(plan.preProcessor(), beams.get(i), tracer, side, counts[i]);
-            };
-        });
-        if (workers.stop().isSet()) {
+        double[] importance = new double[beams.size()];
+        overBeams(workers, counters, (i, pilot) -> importance[i] = importance(pilot.power(plan.rays() / beams.size())));
+        double total = 0;
+        for (double each : importance) {
+            total += each;
+        }
+        if (!(total > 0)) {
             return List.of();
         }
-        double total = 0;
-        for (int i = 0; i < pilots.length; i++) {
-            counters.add(counts[i]);
-            total += pilots[i].importance();
-        }
-        List<MeshLattice> all = new ArrayList<>();
-        for (int i = 0; i < pilots.length; i++) {
-            double rays = total > 0 ? plan.rays() * pilots[i].importance() / total : 0;
-            SampleStream random = new SampleStream();
-            random.start(plan.seed(), -1 - pass, i);
-            addLattices(pilots[i], rays, random, all);
-        }
-        return all;
+        double raysByImportance = plan.rays() / total;
+        List<List<MeshLattice>> parts = new ArrayList<>();
+        beams.forEach(beam -> parts.add(List.of()));
+        overBeams(workers, counters, (i, pilot) -> {
+            if (importance[i] > 0) {
+                parts.set(i, lattices(pilot, i, raysByImportance * importance[i]));
+            }
+        });
+        return workers.stop().isSet()
+                ? List.of()
+                : parts.stream().flatMap(List::stream).toList();
     }
 
-    private void addLattices(MeshPilot pilot, double rays, SampleStream random, List<MeshLattice> all) {
-        if (pilot.importance() == 0) {
-            return;
+    private void overBeams(Workers workers, ForwardCounters counters, BeamTask task) {
+        ForwardCounters[] counts = new ForwardCounters[plan.beams().size()];
+        workers.run(counts.length, () -> {
+            LeafTracer tracer = new LeafTracer(plan, workers.stop());
+            return i -> {
+                counts[i] = new ForwardCounters();
+                task.run(i, new MeshPilot(plan.preProcessor(), plan.beams().get(i), tracer, counts[i]));
+            };
+        });
+        for (ForwardCounters part : counts) {
+            if (part != null) {
+                counters.add(part);
+            }
         }
+    }
+
+    /** By which the rays are dealt out: errors grow with the power and fall with the rays, and so their squares' sum is least. */
+    private static double importance(double power) {
+        return power > 0 ? StrictMath.cbrt(power * power) : 0;
+    }
+
+    private List<MeshLattice> lattices(MeshPilot pilot, int number, double rays) {
         Beam beam = pilot.beam();
+        SampleStream random = new SampleStream();
+        random.start(plan.seed(), -1 - pass, number);
         LightPoints points = new LightPoints(lightPoints(beam, rays), random);
-        double perPoint = rays / points.count();
+        Size size = size(pilot, rays / points.count(), rays, random);
+        List<MeshLattice> all = new ArrayList<>();
         while (points.next()) {
             LightPoint from = new LightPoint();
             beam.light().emitFrom(points.s(), points.t(), from);
@@ -100,20 +96,15 @@ final class MeshSizing {
             for (EmissionChart chart : charts) {
                 area += chart.width() * chart.height();
             }
-            Size size = size(pilot, perPoint);
             double step = Math.sqrt(area / size.baseCells);
             for (EmissionChart chart : charts) {
+                int columns = even(chart.width() / step);
+                int rows = even(chart.height() / step);
                 all.add(new MeshLattice(
-                        beam,
-                        from,
-                        chart,
-                        even(chart.width() / step),
-                        even(chart.height() / step),
-                        size.depth,
-                        size.cuts,
-                        1.0 / points.count()));
+                        beam, from, chart, columns, rows, size.depth, 1.0 / points.count(), chart.meanDensity()));
             }
         }
+        return all;
     }
 
     private static int even(double count) {
@@ -122,33 +113,32 @@ final class MeshSizing {
 
     /** So many that the cells of a point, and the points of a lamp, are about equally far apart where they land. */
     private static int lightPoints(Beam beam, double rays) {
-        return beam.pointCount() == 1 ? 1 : (int) Math.max(4, Math.min(1 << 16, Math.rint(Math.sqrt(rays) / 4)));
+        return beam.pointCount() == 1 ? 1 : (int) Math.max(4, Math.min(1 << 16, Math.rint(Math.sqrt(rays) / 8)));
     }
 
-    /** How many base cells are to be made of so many rays, and how they are cut. */
-    private Size size(MeshPilot pilot, double rays) {
+    /**
+     * How many base cells are to be made, and how they are quartered.
+     *
+     * @param rays for them
+     * @param allRays of the beam
+     */
+    private Size size(MeshPilot pilot, double rays, double allRays, SampleStream random) {
         double baseCells = Math.max(4, rays * BASE_SHARE / RAYS_A_CELL);
-        double mixed = pilot.mixedAt(baseCells);
-        double left = rays * (1 - BASE_SHARE);
+        double[] mixed = pilot.mixed(baseCells, LARGEST_DEPTH, allRays, random);
         int depth = 0;
-        while (depth < LARGEST_DEPTH && cutting(pilot, mixed, depth + 1) <= left) {
+        double raysABaseCell = RAYS_A_CELL;
+        while (depth < LARGEST_DEPTH
+                && baseCells * (raysABaseCell + RAYS_A_QUARTERING * mixed[depth]) <= rays
+                && mixed[depth] > 0) {
+            raysABaseCell += RAYS_A_QUARTERING * mixed[depth];
             depth++;
         }
-        boolean cuts = cutting(pilot, mixed, depth) <= 2 * left;
-        double needed = baseCells * RAYS_A_CELL + (cuts ? cutting(pilot, mixed, depth) : 0);
-        return new Size(Math.max(4, baseCells * rays / needed), depth, cuts);
+        return new Size(Math.max(4, rays / raysABaseCell), depth);
     }
 
-    /** The rays for quartering so many mixed cells so often, and cutting what is left. */
-    private static double cutting(MeshPilot pilot, double mixed, int depth) {
-        double rays = 0;
-        double cells = mixed;
-        for (int i = 0; i < depth; i++) {
-            rays += RAYS_A_QUARTERING * cells;
-            cells *= pilot.growth();
-        }
-        return rays + RAYS_A_CUT * cells;
+    private interface BeamTask {
+        void run(int number, MeshPilot pilot);
     }
 
-    private record Size(double baseCells, int depth, boolean cuts) {}
+    private record Size(double baseCells, int depth) {}
 }

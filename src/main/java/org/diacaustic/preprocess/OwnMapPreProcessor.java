@@ -50,6 +50,12 @@ final class OwnMapPreProcessor implements PreProcessor {
         return OwnCharts.of(beam, from).map(List::of).orElseGet(() -> beam.cubeCharts(from));
     }
 
+    /** Objects without bounds have charts around the light. */
+    @Override
+    public Optional<String> cellRefusal(Beam beam) {
+        return Optional.empty();
+    }
+
     @Override
     public void run(Beam beam, ForwardPass pass) {
         SampleStream random = pass.random();

@@ -26,6 +26,15 @@ public interface PreProcessor {
         return List.of();
     }
 
+    /** Why there can be no cells of a caustic mesh on its lattices for this beam, as {@link #refusal}. */
+    default Optional<String> cellRefusal(Beam beam) {
+        LightPoint middle = new LightPoint();
+        beam.light().emitFrom(0.5, 0.5, middle);
+        return charts(beam, middle).isEmpty()
+                ? Optional.of("it sends no neighbouring rays, between which there could be cells of a caustic mesh")
+                : refusal(beam);
+    }
+
     /**
      * Chooses rays for one beam and has them followed. What it does must depend on the beam, the random numbers that it
      * is given and what became of its rays only.

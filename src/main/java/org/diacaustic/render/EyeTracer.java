@@ -42,9 +42,13 @@ final class EyeTracer extends PathTracer {
         indirectLight.startPixel();
     }
 
-    /** The sample that is traced next; see {@link org.diacaustic.scene.Camera#aim}, which must aim the ray. */
-    void startSample(double x, double y, double lensU, double lensV) {
-        indirectLight.startSample(x, y, lensU, lensV);
+    /**
+     * The sample that is traced next; see {@link org.diacaustic.scene.Camera#aim}, which must aim the ray.
+     *
+     * @param compares whether {@link #difference} is wanted
+     */
+    void startSample(double x, double y, double lensU, double lensV, boolean compares) {
+        indirectLight.startSample(x, y, lensU, lensV, compares);
     }
 
     /** How much the last sample would change with a coarser map; valid until the next. */
@@ -100,7 +104,8 @@ final class EyeTracer extends PathTracer {
     protected boolean arrive(int object, int side) {
         addAmbient();
         indirectLight.pass(depth, signature);
-        indirectLight.add(object, side, depth, signatureAt(object, side), hit, surface, throughput, radiance);
+        indirectLight.add(
+                object, side, depth, signatureAt(object, side), ray, pathLength, hit, surface, throughput, radiance);
         directLight.add(object, side, hit, surface, scattering, media, throughput, radiance);
         return true;
     }

@@ -2,6 +2,7 @@ package org.diacaustic.render;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -10,6 +11,7 @@ import org.diacaustic.preprocess.Beam;
 import org.diacaustic.preprocess.ForwardPlan;
 import org.diacaustic.preprocess.ForwardPlanException;
 import org.diacaustic.preprocess.ForwardPlanner;
+import org.diacaustic.preprocess.MeshProspect;
 import org.diacaustic.preprocess.PreProcessor;
 import org.diacaustic.preprocess.PreProcessors;
 import org.diacaustic.scene.EstimatorName;
@@ -27,6 +29,12 @@ final class ForwardChoice {
     /** Rays of a pass if nothing is said: about a second on one core. */
     private static final long RAYS = 1 << 19;
 
+    /** Rays of a mesh if nothing is said. */
+    private static final long MESH_RAYS = 1 << 18;
+
+    /** Rays of a mesh if all light is soft, and each point of a lamp has a mesh that every pixel must ask. */
+    private static final long LAMP_MESH_RAYS = 1 << 15;
+
     private final Scene scene;
     private final SceneIndex index;
     private final Settings settings;
@@ -35,6 +43,7 @@ final class ForwardChoice {
     private final MapSettings maps;
     private final boolean isAskedFor;
     private final List<Decision> decisions = new ArrayList<>();
+    private String whyThisMap = "";
 
     ForwardChoice(Scene scene, SceneIndex index, Settings settings, SceneTraits traits) {
         this.scene = scene;
@@ -77,6 +86,10 @@ final class ForwardChoice {
         if (maps.map() == MapName.AMBIENT_MAPS && needsPhotonMap) {
             throw new PlanException("estimator '" + estimator.label()
                     + "' reads photon maps; ambient-maps are read by density or expected-count");
+        }
+        if (maps.map() == MapName.CAUSTIC_MESH && estimator != EstimatorName.AUTO) {
+            throw new PlanException("estimator '" + estimator.label()
+                    + "' reads photons, and map 'caustic-mesh' has none; leave the estimator out");
         }
         if (maps.mapBlur() % 2 == 0) {
             throw new PlanException("map-blur must be odd, so that its square has a middle, but is " + maps.mapBlur());
@@ -150,18 +163,62 @@ final class ForwardChoice {
     }
 
     private ForwardPlan choose(Map<String, PreProcessor> known) {
-        MapName map = maps.map() == MapName.AUTO ? MapName.CAUSTIC_MESH : maps.map();
-        EstimatorName best = map == MapName.PHOTON_MAP ? EstimatorName.NEAREST : EstimatorName.DENSITY;
+        if (maps.map() != MapName.AUTO) {
+            return planFor(maps.map(), known);
+        }
+        if (!mayBeMesh(known)) {
+            return planFor(MapName.PHOTON_MAP, known);
+        }
+        ForwardPlan mesh;
+        try {
+            mesh = planFor(MapName.CAUSTIC_MESH, known);
+        } catch (ForwardPlanException refused) {
+            whyThisMap = refused.getMessage();
+            return planFor(MapName.PHOTON_MAP, known);
+        }
+        double torn = MeshProspect.tornPart(mesh);
+        if (MeshProspect.isTorn(torn)) {
+            whyThisMap = String.format(
+                    Locale.ROOT,
+                    "%.0f %% of the light is torn apart too finely for cells, so photons do as well",
+                    100 * torn);
+            return planFor(MapName.PHOTON_MAP, known);
+        }
+        whyThisMap = String.format(
+                Locale.ROOT,
+                "cells between neighbouring rays have no noise and tell their error; %.1f %% of the light is too torn for them",
+                100 * torn);
+        return mesh;
+    }
+
+    /** Whether nothing that is asked for by name needs photons. */
+    private boolean mayBeMesh(Map<String, PreProcessor> known) {
+        String name = forward.preProcessor();
+        if (maps.estimator() != EstimatorName.AUTO) {
+            whyThisMap = "an estimator of photons is asked for";
+            return false;
+        }
+        boolean hasNoCells = name.equals("random") || name.equals("monte-carlo") || !known.containsKey(name);
+        if (!name.equals(Settings.AUTO) && hasNoCells) {
+            whyThisMap = "preprocessor '" + name + "' sends no neighbouring rays, between which there could be cells";
+            return false;
+        }
+        return true;
+    }
+
+    private ForwardPlan planFor(MapName map, Map<String, PreProcessor> known) {
+        boolean isMesh = map == MapName.CAUSTIC_MESH;
+        EstimatorName best = map == MapName.AMBIENT_MAPS ? EstimatorName.DENSITY : EstimatorName.NEAREST;
         EstimatorName estimator = maps.estimator() == EstimatorName.AUTO ? best : maps.estimator();
-        long rays = forward.rays() > 0 ? forward.rays() : RAYS;
+        long rays = forward.rays() > 0 ? forward.rays() : isMesh ? meshRays() : RAYS;
         // Cells need no rays but those that may find something, whatever the thesis did.
-        Settings aimed = map == MapName.CAUSTIC_MESH
+        Settings aimed = isMesh
                 ? settings.toBuilder()
                         .forward(forward.toBuilder().aimAtSpecular(true).build())
                         .build()
                 : settings;
         ForwardPlanner planner = new ForwardPlanner(scene, index, aimed);
-        if (forward.preProcessor().equals(Settings.AUTO) && map == MapName.CAUSTIC_MESH) {
+        if (forward.preProcessor().equals(Settings.AUTO) && isMesh) {
             return planner.plan(known.get("own-map"), rays, map, estimator);
         }
         if (forward.preProcessor().equals(Settings.AUTO)) {
@@ -179,31 +236,35 @@ final class ForwardChoice {
         return planner.plan(asked, rays, map, estimator);
     }
 
+    private long meshRays() {
+        boolean isSoft = ForwardPlanner.emitters(scene).stream().allMatch(light -> light.sampleCount() > 1);
+        return isSoft ? LAMP_MESH_RAYS : MESH_RAYS;
+    }
+
     private void describe(ForwardPlan plan) {
         boolean isChosen = forward.preProcessor().equals(Settings.AUTO);
         String name = plan.preProcessor().name();
         String why = !isChosen
                 ? "asked for"
-                : name.equals("planar")
-                        ? "a lattice is smoother than random rays, and every light stands outside of what it is aimed at"
-                        : "a lattice is smoother than random rays, and no plane stands before all that light is aimed at";
+                : name.equals("own-map")
+                        ? "lattices that fit each object have the evenest cells"
+                        : name.equals("planar")
+                                ? "a lattice is smoother than random rays, and every light stands outside of what it is aimed at"
+                                : "a lattice is smoother than random rays, and no plane stands before all that light is aimed at";
+        boolean isAimed = forward.aimsAtSpecular() || plan.map() == MapName.CAUSTIC_MESH;
         decisions.add(new Decision("preprocessor", true, name + ", " + howMany(plan), why));
         decisions.add(new Decision(
                 "emission windows",
-                forward.aimsAtSpecular(),
-                forward.aimsAtSpecular() ? aims(plan) : "windows around what refracts or mirrors",
-                forward.aimsAtSpecular()
-                        ? "only what refracts or mirrors needs light rays"
-                        : "asked for the whole scene"));
+                isAimed,
+                isAimed ? aims(plan) : "windows around what refracts or mirrors",
+                isAimed ? "only what refracts or mirrors needs light rays" : "asked for the whole scene"));
         if (plan.passes() > 1) {
             decisions.add(new Decision("passes", true, plan.passes() + " pictures, averaged", "asked for"));
         }
         boolean mapChosen = maps.map() == MapName.AUTO;
-        decisions.add(new Decision(
-                "map",
-                true,
-                plan.map().label() + ", " + plan.estimator().label(),
-                mapChosen ? "photons need no map on their objects" : "asked for"));
+        boolean isMesh = plan.map() == MapName.CAUSTIC_MESH;
+        String how = isMesh ? "" : ", " + plan.estimator().label();
+        decisions.add(new Decision("map", true, plan.map().label() + how, mapChosen ? whyThisMap : "asked for"));
         if (!forward.followsReflections() && !traits.mirroring().isEmpty()) {
             decisions.add(new Decision(
                     "mirrored light",

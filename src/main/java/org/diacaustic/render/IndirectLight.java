@@ -4,6 +4,7 @@ import java.util.Arrays;
 import org.diacaustic.map.IlluminationMap;
 import org.diacaustic.map.SurfacePoint;
 import org.diacaustic.material.Surface;
+import org.diacaustic.math.Ray;
 import org.diacaustic.math.Rgb;
 import org.diacaustic.shape.Hit;
 
@@ -38,6 +39,7 @@ final class IndirectLight {
 
     private double[] answers = new double[8 * ANSWER];
     private int answered;
+    private boolean isCompared;
 
     IndirectLight(RenderPlan plan, Illumination light) {
         this.lookup = light.map() == null ? null : light.map().lookup();
@@ -52,8 +54,13 @@ final class IndirectLight {
         answered = 0;
     }
 
-    /** See {@link org.diacaustic.scene.Camera#aim}. */
-    void startSample(double x, double y, double lensU, double lensV) {
+    /**
+     * See {@link org.diacaustic.scene.Camera#aim}.
+     *
+     * @param compares whether the sample stands for others when the two maps are compared
+     */
+    void startSample(double x, double y, double lensU, double lensV, boolean compares) {
+        isCompared = coarser != null && compares;
         difference.set(0, 0, 0);
         if (footprint != null) {
             footprint.startSample(x, y, lensU, lensV);
@@ -71,8 +78,19 @@ final class IndirectLight {
      * Adds the light at a hit.
      *
      * @param way the signature of the eye's path with its end
+     * @param pathLength its length, in scene units
      */
-    void add(int object, int side, int depth, long way, Hit hit, Surface surface, Rgb throughput, Rgb radiance) {
+    void add(
+            int object,
+            int side,
+            int depth,
+            long way,
+            Ray ray,
+            double pathLength,
+            Hit hit,
+            Surface surface,
+            Rgb throughput,
+            Rgb radiance) {
         if (lookup == null || (surface.diffuse.isBlack() && !looksEverywhere)) {
             return;
         }
@@ -87,11 +105,11 @@ final class IndirectLight {
         if (footprint == null) {
             lookup.irradiance(at, irradiance);
         } else if (!isAnswered(way)) {
-            ask(depth, way);
+            ask(depth, way, ray, pathLength, throughput.largest() * surface.diffuse.largest());
         }
         irradiance.multiply(surface.diffuse).scale(diffuseFactor);
         radiance.addProduct(throughput, irradiance);
-        if (coarser != null) {
+        if (isCompared) {
             coarserIrradiance.multiply(surface.diffuse).scale(-diffuseFactor).add(irradiance);
             difference.addProduct(throughput, coarserIrradiance);
         }
@@ -109,21 +127,13 @@ final class IndirectLight {
         return false;
     }
 
-    private void ask(int depth, long way) {
-        double part = footprint.find(depth, way, at);
-        if (part == 0) {
-            lookup.irradiance(at, irradiance);
-        } else {
-            footprint.ask(lookup, at, irradiance);
+    private void ask(int depth, long way, Ray ray, double pathLength, double weight) {
+        boolean isWhole = footprint.find(depth, way, ray, pathLength, weight, at);
+        footprint.ask(lookup, at, irradiance);
+        if (isCompared) {
+            footprint.ask(coarser, at, coarserIrradiance);
         }
-        if (coarser != null) {
-            if (part == 0) {
-                coarser.irradiance(at, coarserIrradiance);
-            } else {
-                footprint.ask(coarser, at, coarserIrradiance);
-            }
-        }
-        if (part == 1 && keepsAnswers) {
+        if (isWhole && keepsAnswers) {
             keepAnswer(way);
         }
     }

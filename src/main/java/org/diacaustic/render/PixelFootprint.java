@@ -8,6 +8,7 @@ import org.diacaustic.map.SurfacePoint;
 import org.diacaustic.math.Arithmetic;
 import org.diacaustic.math.Ray;
 import org.diacaustic.math.Rgb;
+import org.diacaustic.math.Vector3;
 import org.diacaustic.scene.Camera;
 import org.diacaustic.scene.SceneIndex;
 import org.diacaustic.shape.Hit;
@@ -16,12 +17,19 @@ import org.diacaustic.transport.PathReplay;
 
 /**
  * Finds what of a surface is seen through a pixel, straight or over mirrors and through glass: the rays of the pixel's corners
- * go the way of the ray within. Where they do not all come the same way, a smaller square around the ray is taken. Owned
- * by one task.
+ * go the way of the ray within. Where they do not all come the same way, a smaller square around the ray is taken; and
+ * where those do not either, or it matters little, one about as large as is seen straight from so far away. Owned by one
+ * task.
  */
 final class PixelFootprint {
-    /** How often the square is halved before a point has to do. */
-    private static final int MOST_HALVINGS = 4;
+    /** The side of the smaller square. */
+    private static final double PART = 0.25;
+
+    /** Light that makes less of the pixel is not worth rays of its own. */
+    private static final double WORTHWHILE = 1.0 / 16;
+
+    /** The cosine below which a square seen at a flat angle grows no longer. */
+    private static final double LEAST_COSINE = 1.0 / 16;
 
     /** A corner may be so many times farther away than the point within, before the square is too large. */
     private static final double FARTHEST = 4;
@@ -66,6 +74,9 @@ final class PixelFootprint {
     /** Whether the footprint consists of two triangles. */
     private boolean isHalved;
 
+    /** Whether there is none, and a point has to do. */
+    private boolean isLost;
+
     /** Whether small squares must be looked at one by one. */
     private boolean isUneven;
 
@@ -100,27 +111,63 @@ final class PixelFootprint {
      * Finds the footprint of the pixel, or of a part of it, where the eye ray has arrived.
      *
      * @param signature of the eye's path with its end
-     * @return the part of the pixel's side that it has; 0 if there is none
+     * @param pathLength how long the eye's path is, in scene units
+     * @param weight the part of the pixel's light that may come from here
+     * @return whether it is that of the whole pixel
      */
-    double find(int depth, long signature, SurfacePoint at) {
+    boolean find(int depth, long signature, Ray ray, double pathLength, double weight, SurfacePoint at) {
         isHalved = false;
         isUneven = false;
+        isLost = false;
         left = Math.floor(sampleX);
         top = Math.floor(sampleY);
         side = 1;
-        for (int i = 0; i <= MOST_HALVINGS; i++) {
-            if (depth == 0 ? findDirect(at) : findOverWay(depth, signature, at)) {
-                return side;
-            }
-            side /= 2;
-            left = sampleX - side / 2;
-            top = sampleY - side / 2;
+        if (depth == 0 ? findDirect(at) : weight >= WORTHWHILE && findOverWay(depth, signature, at)) {
+            return true;
         }
-        return 0;
+        side = PART;
+        left = sampleX - side / 2;
+        top = sampleY - side / 2;
+        boolean isFound = depth == 0 ? findDirect(at) : weight >= WORTHWHILE && findOverWay(depth, signature, at);
+        if (!isFound) {
+            findAbout(ray, pathLength, at);
+        }
+        return false;
+    }
+
+    /** Takes a square as large as if the eye had seen it straight from as far away. */
+    private void findAbout(Ray ray, double pathLength, SurfacePoint at) {
+        camera.aim(left, top, lensU, lensV, corner);
+        double x = corner.directionX;
+        double y = corner.directionY;
+        double z = corner.directionZ;
+        camera.aim(left + side, top + side, lensU, lensV, corner);
+        double angle = Arithmetic.length(corner.directionX - x, corner.directionY - y, corner.directionZ - z);
+        double half = 0.5 * pathLength * angle;
+        Vector3 direction = new Vector3(ray.directionX, ray.directionY, ray.directionZ);
+        Vector3 u = direction.perpendicular();
+        Vector3 v = direction.cross(u);
+        double cosine = Math.min(-LEAST_COSINE, alongNormal(at, direction.x(), direction.y(), direction.z()));
+        isHalved = false;
+        isUneven = false;
+        for (int i = 0; i < 4; i++) {
+            Vector3 off = (i % 2 == 0 ? u : v).times(i < 2 ? half : -half);
+            Vector3 onPlane = off.minus(direction.times(alongNormal(at, off.x(), off.y(), off.z()) / cosine));
+            setCorner(i, ray, at.x + onPlane.x(), at.y + onPlane.y(), at.z + onPlane.z());
+        }
+        isLost = !closeWhole(at);
+        if (!isLost) {
+            footprint.reach(PART_REACH * diagonal());
+            isLost = !footprint.close();
+        }
     }
 
     /** Sets the mean irradiance in the footprint that was found. */
     void ask(IlluminationMap.Lookup lookup, SurfacePoint at, Rgb irradiance) {
+        if (isLost) {
+            lookup.irradiance(at, irradiance);
+            return;
+        }
         if (isUneven) {
             askParts(lookup, at, irradiance);
             return;

@@ -71,7 +71,8 @@ final class TileRenderer {
             double lensU = lens ? Stratification.shiftedInverse(i, 3, lensShiftU) : 0;
             double lensV = lens ? Stratification.shiftedInverse(i, 5, lensShiftV) : 0;
             camera.aim(x + across, y + down, lensU, lensV, tracer.ray());
-            tracer.startSample(x + across, y + down, lensU, lensV);
+            // One sample tells well enough what another map would change.
+            tracer.startSample(x + across, y + down, lensU, lensV, i == 0);
             Rgb radiance = tracer.trace(stop);
             if (stop.isSet()) {
                 return false;
@@ -84,7 +85,7 @@ final class TileRenderer {
             sum.set(Math.min(1, sum.red), Math.min(1, sum.green), Math.min(1, sum.blue));
         }
         picture.add(pass, x, y, sum);
-        picture.addDifference(x, y, difference.scale(1.0 / samples));
+        picture.addDifference(x, y, difference);
         return true;
     }
 

@@ -119,6 +119,36 @@ class BoxTreeTest {
         assertThat(walk.examined()).isBetween(1L, 150L);
     }
 
+    @ParameterizedTest
+    @ValueSource(ints = {20, 300, 3000})
+    void over_givenLargeItemsAmongSmallOnes_looksAtFewerNodesForTheirExtents(int large) {
+        Boxes plain = Boxes.random(20_000, 0.002f, 3).enlarged(large);
+        Boxes sized = Boxes.random(20_000, 0.002f, 3).enlarged(large);
+        BoxTree blind = plain.tree(ONE);
+        BoxTree tree = BoxTree.over(
+                sized.middle[0],
+                sized.middle[1],
+                sized.middle[2],
+                sized.extents(),
+                sized.numbers,
+                LEAF,
+                () -> sized::box,
+                ONE);
+        assertThat(2 * examined(tree)).isLessThan(examined(blind));
+    }
+
+    private static long examined(BoxTree tree) {
+        BoxWalk some = new BoxWalk();
+        for (double at = 0.1; at < 0.9; at += 0.005) {
+            some.box(at, at, at, at + 0.002, at + 0.002, at + 0.002);
+            tree.start(some);
+            while (tree.next(some) != BoxTree.DONE) {
+                continue;
+            }
+        }
+        return some.examined();
+    }
+
     @Test
     void over_givenEqualPlaces_isAsBalanced() {
         BoxTree tree = Boxes.random(4096, 0, 3).atOnePlace().tree(ONE);
@@ -217,6 +247,22 @@ class BoxTreeTest {
                 }
             }
             return boxes;
+        }
+
+        /** Makes the first boxes much larger than all. */
+        Boxes enlarged(int count) {
+            for (float[] halves : half) {
+                Arrays.fill(halves, 0, count, 2);
+            }
+            return this;
+        }
+
+        float[] extents() {
+            float[] extents = new float[size()];
+            for (int i = 0; i < extents.length; i++) {
+                extents[i] = 2 * Math.max(half[0][i], Math.max(half[1][i], half[2][i]));
+            }
+            return extents;
         }
 
         Boxes atOnePlace() {

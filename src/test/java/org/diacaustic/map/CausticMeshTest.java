@@ -362,6 +362,50 @@ class CausticMeshTest {
     }
 
     @Test
+    void irradiance_givenCellsFarLargerThanTheFootprint_isEven() {
+        // A slanted plane through a point near the origin, lit by 1 W·m⁻² in a fan of 12 cells that reach 10^5 units
+        // far.
+        Vector3 normal = new Vector3(1, 2, 3).normalized();
+        Vector3 u = normal.perpendicular();
+        Vector3 v = normal.cross(u);
+        Vector3 hub = new Vector3(0.3, 0.1, 0.2);
+        TestCells cells = new TestCells();
+        for (int i = 0; i < 12; i++) {
+            SurfacePoint a = slanted(hub.plus(onCircle(u, v, i).times(1e5)), normal);
+            SurfacePoint b = slanted(hub.plus(onCircle(u, v, i + 1).times(1e5)), normal);
+            cells.triangle(1e10 * StrictMath.sin(Math.PI / 6) / 2, slanted(hub, normal), a, b);
+        }
+        CausticMesh mesh = cells.mesh();
+        FootprintLookup lookup = mesh.lookup();
+        Vector3 eye = hub.plus(normal.times(2)).plus(u);
+        for (int i = 0; i < 200; i++) {
+            // In the middle of a cell, away from its edges.
+            double angle = (random.nextInt(12) + random.nextDouble(0.3, 0.7)) * Math.PI / 6;
+            Vector3 way = u.times(StrictMath.cos(angle)).plus(v.times(StrictMath.sin(angle)));
+            Vector3 at = hub.plus(way.times(random.nextDouble(0.5, 1)));
+            double size = 0.01;
+            Footprint square = seenFrom(
+                    eye,
+                    slanted(at, normal),
+                    slanted(at.plus(u.times(size)), normal),
+                    slanted(at.plus(u.times(size)).plus(v.times(size)), normal),
+                    slanted(at.plus(v.times(size)), normal));
+            // Vertices are off by up to 2^-25 of 2·10^5 units, or 0.006, where the eye is 2 units above; edges as much.
+            assertThat(powerIn(lookup, square) / square.area()).isCloseTo(1, within(0.02));
+            assertThat(density(mesh, slanted(at, normal))).isCloseTo(1, within(1e-6));
+        }
+    }
+
+    private static Vector3 onCircle(Vector3 u, Vector3 v, int twelfth) {
+        double angle = twelfth * Math.PI / 6;
+        return u.times(StrictMath.cos(angle)).plus(v.times(StrictMath.sin(angle)));
+    }
+
+    private static SurfacePoint slanted(Vector3 at, Vector3 normal) {
+        return TestPhotons.point(at.x(), at.y(), at.z(), normal.x(), normal.y(), normal.z());
+    }
+
+    @Test
     void irradiance_givenCellsFarSmallerThanTheScene_isExactToAMillionth() {
         // A pixel of 1/2000 of the scene, cells of 1/50 of a pixel; at the far end of a scene 2 units wide.
         double pixel = 1e-3;

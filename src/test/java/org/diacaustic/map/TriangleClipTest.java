@@ -43,8 +43,8 @@ class TriangleClipTest {
         assertThat(fraction(second, third, first)).isCloseTo(expected, within(ROUNDING));
         // The same plane twice takes the way of several planes.
         clip.begin();
-        clip.add(first, second, third);
-        clip.add(first, second, third);
+        clip.add(first, second, third, true);
+        clip.add(first, second, third, true);
         assertThat(clip.fraction()).isCloseTo(expected, within(2 * ROUNDING));
     }
 
@@ -55,9 +55,6 @@ class TriangleClipTest {
             double second = random.nextDouble(-1, 1);
             double third = random.nextDouble(-1, 1);
             double sum = fraction(first, second, third) + fraction(-first, -second, -third);
-            if (first > 0 == second > 0 && first > 0 == third > 0) {
-                continue;
-            }
             assertThat(sum).isCloseTo(1, within(ROUNDING));
         }
     }
@@ -72,12 +69,54 @@ class TriangleClipTest {
                 double onP = (quarter & 1) == 0 ? 1 : -1;
                 double onQ = (quarter & 2) == 0 ? 1 : -1;
                 clip.begin();
-                clip.add(onP * p[0], onP * p[1], onP * p[2]);
-                clip.add(onQ * q[0], onQ * q[1], onQ * q[2]);
+                clip.add(onP * p[0], onP * p[1], onP * p[2], true);
+                clip.add(onQ * q[0], onQ * q[1], onQ * q[2], true);
                 sum += clip.fraction();
             }
             assertThat(sum).isCloseTo(1, within(4 * ROUNDING));
         }
+    }
+
+    @ParameterizedTest
+    // The other side of the plane has the opposite signs, and holds the plane if this does not.
+    @CsvSource({"0, 0, 0", "0, 0, 1", "0, 0, -1", "0, 1, 1", "0, 2, -1", "-0.0, -0.0, -0.0", "0, -0.0, 3"})
+    void fraction_givenVerticesInThePlane_belongsToOneSideOnly(double first, double second, double third) {
+        for (boolean holdsPlane : new boolean[] {true, false}) {
+            clip.begin();
+            clip.add(first, second, third, holdsPlane);
+            double one = clip.fraction();
+            clip.begin();
+            clip.add(-first, -second, -third, !holdsPlane);
+            assertThat(one + clip.fraction()).isCloseTo(1, within(ROUNDING));
+            if (first == 0 && second == 0 && third == 0) {
+                assertThat(one).isEqualTo(holdsPlane ? 1 : 0);
+            }
+        }
+    }
+
+    @Test
+    void fraction_givenAPlaneThatAllIsBehind_isNothing() {
+        clip.begin();
+        clip.add(1, 2, -1, true);
+        clip.add(-1, -2, -1, true);
+        clip.add(3, 2, 1, true);
+        assertThat(clip.fraction()).isZero();
+    }
+
+    @Test
+    void fraction_givenDistancesThatAreNothingButRounding_isAPart() {
+        for (int i = 0; i < 100_000; i++) {
+            clip.begin();
+            double scale = 0x1p-50 * random.nextInt(3);
+            for (int plane = 0; plane < 4; plane++) {
+                clip.add(tiny() + scale, tiny() - scale, tiny(), true);
+            }
+            assertThat(clip.fraction()).isBetween(0.0, 1.0);
+        }
+    }
+
+    private double tiny() {
+        return Double.MIN_VALUE * random.nextInt(-2, 3);
     }
 
     @Test
@@ -91,16 +130,16 @@ class TriangleClipTest {
 
     private double square(double low) {
         clip.begin();
-        clip.add(-low, 4 - low, -low);
-        clip.add(low + 1, low - 3, low + 1);
-        clip.add(-low, -low, 4 - low);
-        clip.add(low + 1, low + 1, low - 3);
+        clip.add(-low, 4 - low, -low, true);
+        clip.add(low + 1, low - 3, low + 1, true);
+        clip.add(-low, -low, 4 - low, true);
+        clip.add(low + 1, low + 1, low - 3, true);
         return clip.fraction();
     }
 
     private double fraction(double first, double second, double third) {
         clip.begin();
-        clip.add(first, second, third);
+        clip.add(first, second, third, true);
         return clip.fraction();
     }
 }

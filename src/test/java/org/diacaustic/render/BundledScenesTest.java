@@ -50,22 +50,58 @@ class BundledScenesTest {
                     .maps(maps)
                     .samples(1)
                     .build();
-            Scene small = new Scene(
-                    file.scene().camera().withSize(20, 20),
-                    file.scene().lights(),
-                    file.scene().objects(),
-                    file.scene().background());
-
-            Rendering rendering = Renderer.render(small, settings);
-
-            EnergyLedger ledger = rendering.forward().ledger();
-            ForwardCounters counters = rendering.forward().counters();
-            double found = ledger.stored() + ledger.absorbed() + ledger.escaped() + ledger.cut();
-            assertThat(Math.abs(ledger.emitted() - found)).as(preProcessor).isLessThan(1e-12 * ledger.emitted());
-            assertThat(counters.lightRays()).as(preProcessor).isPositive();
-            assertThat(counters.nonFinite()).as(preProcessor).isZero();
-            assertThat(rendering.counters().nonFiniteSamples()).as(preProcessor).isZero();
+            assertAccounted(Renderer.render(small(file), settings), preProcessor);
         }
+    }
+
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void render_givenMesh_findsAllItsFluxAgainAndNothingThatIsNoNumber(Path path) {
+        for (String preProcessor : List.of("own-map", "planar", "cube", "adaptive")) {
+            SceneFile file = read(path);
+            assertAccounted(Renderer.render(small(file), mesh(file, preProcessor)), preProcessor);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void render_givenMeshAndAnyNumberOfThreads_givesTheSameBits(Path path) {
+        SceneFile file = read(path);
+        RenderPlan plan = RenderPlan.of(small(file), mesh(file, "own-map"));
+        Rendering one = new RenderJob(plan, 1, (done, total) -> {}).run();
+        for (int threads : new int[] {2, 5}) {
+            Rendering many = new RenderJob(plan, threads, (done, total) -> {}).run();
+            assertThat(many.image().samples()).isEqualTo(one.image().samples());
+            assertThat(many.errorEstimate()).isEqualTo(one.errorEstimate()).isPositive();
+        }
+    }
+
+    private static void assertAccounted(Rendering rendering, String preProcessor) {
+        EnergyLedger ledger = rendering.forward().ledger();
+        ForwardCounters counters = rendering.forward().counters();
+        double found = ledger.stored() + ledger.absorbed() + ledger.escaped() + ledger.cut();
+        assertThat(Math.abs(ledger.emitted() - found)).as(preProcessor).isLessThan(1e-12 * ledger.emitted());
+        assertThat(ledger.stored()).as(preProcessor).isPositive();
+        assertThat(counters.nonFinite()).as(preProcessor).isZero();
+        assertThat(rendering.counters().nonFiniteSamples()).as(preProcessor).isZero();
+    }
+
+    private static Scene small(SceneFile file) {
+        Scene whole = file.scene();
+        return new Scene(whole.camera().withSize(20, 20), whole.lights(), whole.objects(), whole.background());
+    }
+
+    private static Settings mesh(SceneFile file, String preProcessor) {
+        return file.settings().toBuilder()
+                .forward(file.settings().forward().toBuilder()
+                        .preProcessor(preProcessor)
+                        .rays(3000)
+                        .build())
+                .maps(file.settings().maps().toBuilder()
+                        .map(MapName.CAUSTIC_MESH)
+                        .build())
+                .samples(1)
+                .build();
     }
 
     private static SceneFile read(Path path) {
