@@ -1,6 +1,8 @@
 package org.diacaustic.render;
 
+import org.diacaustic.parallel.StopSignal;
 import org.diacaustic.render.Refined.End;
+import org.diacaustic.scene.Camera;
 
 /** A caustic mesh made anew with more light rays, round after round. */
 final class MeshRounds extends Rounds {
@@ -27,10 +29,15 @@ final class MeshRounds extends Rounds {
     /** The part of all memory that maps may take: the collector needs some to work in. */
     private static final double MAPS_PART = 0.75;
 
+    /** Null if each round is the mean of passes, which differ in it. */
+    private final OtherLight otherLight;
+
     private final RayForecast forecast = new RayForecast();
 
     MeshRounds(RenderPlan plan, Goal goal, int threads, RoundSignal signal, ProgressListener listener) {
         super(plan, goal, threads, signal, listener);
+        Camera camera = plan.scene().camera();
+        this.otherLight = plan.passes() == 1 ? new OtherLight(camera.width(), camera.height()) : null;
     }
 
     @Override
@@ -88,7 +95,10 @@ final class MeshRounds extends Rounds {
         RenderPlan round = plan.with(rays, plan.settings().forward().passes());
         long start = System.nanoTime();
         int passes = round.passes();
-        PassRun run = new PassRun(round, threads, signal.next(), passes > 1);
+        StopSignal stop = signal.next();
+        PassRun run = otherLight == null
+                ? new PassRun(round, threads, stop, true)
+                : new PassRun(round, threads, stop, otherLight);
         RenderProgress progress = new RenderProgress(round, passes, true, listener());
         for (int pass = 0; pass < passes; pass++) {
             run.render(progress);
@@ -107,8 +117,22 @@ final class MeshRounds extends Rounds {
                 seconds - lightSeconds,
                 rendering.counters().nodesExamined(),
                 rendering.counters().intersectionTests(),
+                otherLight == null ? 0 : rendering.counters().shadowTests,
                 rendering.forward().mapBytes()));
+        shareOtherLight(rendering);
         return rendering;
+    }
+
+    /** What the first round found for all the others, too. */
+    private void shareOtherLight(Rendering rendering) {
+        if (otherLight == null || !rendering.isComplete()) {
+            return;
+        }
+        if (otherLight.isThere()) {
+            otherLight.addCounts(rendering.counters());
+        } else {
+            otherLight.complete(rendering.counters());
+        }
     }
 
     private long raysInMemory() {

@@ -33,7 +33,7 @@ final class RayForecast {
     private static final double FIRST_LOOKUP_SLOPE = 0.75;
 
     /** The slope of asking maps gets steeper as more and more cells lie in a pixel, and ends at 1. */
-    private static final double STEEPENING = 0.1;
+    private static final double STEEPENING = 0.2;
 
     private static final double LARGEST_TIMES = 0x1p40;
 
@@ -48,11 +48,19 @@ final class RayForecast {
      * @param lightSeconds of following light rays and making maps
      * @param eyeSeconds of all else
      * @param lookups nodes that were looked at in maps
-     * @param tests of eye rays and shadow rays, which are as many however fine the maps are
+     * @param tests of rays, which are as many however fine the maps are
+     * @param testsOnce those of them that no further round needs
      * @param mapBytes of the maps
      */
     record Measured(
-            long rays, double error, double lightSeconds, double eyeSeconds, long lookups, long tests, long mapBytes) {}
+            long rays,
+            double error,
+            double lightSeconds,
+            double eyeSeconds,
+            long lookups,
+            long tests,
+            long testsOnce,
+            long mapBytes) {}
 
     void add(Measured round) {
         inVain = round.error < PROGRESS * best ? 0 : inVain + 1;
@@ -112,9 +120,10 @@ final class RayForecast {
 
     /** The seconds of a round with so many times the rays of the last. */
     double seconds(double times) {
-        double lookupPart = (double) last().lookups / Math.max(1, last().lookups + last().tests);
-        double eyeTimes = 1 - lookupPart + lookupPart * StrictMath.pow(times, lookupSlope());
-        return last().lightSeconds * StrictMath.pow(times, LIGHT_SLOPE) + last().eyeSeconds * eyeTimes;
+        Measured last = last();
+        double eyeWork = last.lookups * StrictMath.pow(times, lookupSlope()) + (last.tests - last.testsOnce);
+        return last.lightSeconds * StrictMath.pow(times, LIGHT_SLOPE)
+                + last.eyeSeconds * eyeWork / Math.max(1, last.lookups + last.tests);
     }
 
     /** The slope of the logarithm of lookups against that of rays. */
