@@ -51,6 +51,11 @@ final class MeshRounds extends Rounds {
     }
 
     @Override
+    String stuck() {
+        return "twice as many light rays, and more, bring it no further";
+    }
+
+    @Override
     End renderAll() {
         long rays = firstRays();
         while (true) {
