@@ -25,8 +25,8 @@ final class PixelFootprint {
     /** The side of the smaller square. */
     private static final double PART = 0.25;
 
-    /** Light that makes less of the pixel is not worth rays of its own. */
-    private static final double WORTHWHILE = 1.0 / 16;
+    /** Light that makes less of the pixel is not worth rays of its own, nor is its error. */
+    static final double WORTHWHILE = 1.0 / 16;
 
     /** The cosine below which a square seen at a flat angle grows no longer. */
     private static final double LEAST_COSINE = 1.0 / 16;
@@ -113,7 +113,7 @@ final class PixelFootprint {
      * @param signature of the eye's path with its end
      * @param pathLength how long the eye's path is, in scene units
      * @param weight the part of the pixel's light that may come from here
-     * @return whether it is that of the whole pixel
+     * @return whether it will do for the whole pixel
      */
     boolean find(int depth, long signature, Ray ray, double pathLength, double weight, SurfacePoint at) {
         isHalved = false;
@@ -122,14 +122,17 @@ final class PixelFootprint {
         left = Math.floor(sampleX);
         top = Math.floor(sampleY);
         side = 1;
-        if (depth == 0 ? findDirect(at) : weight >= WORTHWHILE && findOverWay(depth, signature, at)) {
+        if (depth > 0 && weight < WORTHWHILE) {
+            findAbout(ray, pathLength, at);
+            return true;
+        }
+        if (depth == 0 ? findDirect(at) : findOverWay(depth, signature, at)) {
             return true;
         }
         side = PART;
         left = sampleX - side / 2;
         top = sampleY - side / 2;
-        boolean isFound = depth == 0 ? findDirect(at) : weight >= WORTHWHILE && findOverWay(depth, signature, at);
-        if (!isFound) {
+        if (!(depth == 0 ? findDirect(at) : findOverWay(depth, signature, at))) {
             findAbout(ray, pathLength, at);
         }
         return false;
