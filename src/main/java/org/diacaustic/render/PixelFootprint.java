@@ -37,8 +37,8 @@ final class PixelFootprint {
     /** What lies off the plane by less than this part of the footprint is flat. */
     private static final double FLAT = 0x1p-20;
 
-    /** And by less than this, is as large as the polygon of its corners. */
-    private static final double SMOOTH = 0x1p-5;
+    /** And by less than this, is one surface. */
+    private static final double SMOOTH = 0x1p-3;
 
     /** The part of a curved object's size within which light on it belongs to what is seen. */
     private static final double REACH = 1.0 / 64;
@@ -47,7 +47,7 @@ final class PixelFootprint {
     private static final int PARTS = 4;
 
     /** How far before and behind a small square light belongs to it, in sizes of what it sees. */
-    private static final double PART_REACH = 4;
+    private static final double PART_REACH = 2;
 
     private final Camera camera;
     private final SceneIndex index;
@@ -246,7 +246,11 @@ final class PixelFootprint {
             }
             setCorner(i, corner, corner.pointX(t), corner.pointY(t), corner.pointZ(t));
         }
-        return closeWhole(at);
+        footprint.begin(at);
+        addCorners(footprint);
+        footprint.perspective(
+                corner.originX, corner.originY, corner.originZ, camera.forward(), side * side * camera.pixelArea());
+        return footprint.close();
     }
 
     private static double alongNormal(SurfacePoint at, double x, double y, double z) {
@@ -264,10 +268,14 @@ final class PixelFootprint {
 
     private boolean closeWhole(SurfacePoint at) {
         footprint.begin(at);
-        for (int i = 0; i < 4; i++) {
-            addCorner(footprint, i);
-        }
+        addCorners(footprint);
         return footprint.close();
+    }
+
+    private void addCorners(Footprint to) {
+        for (int i = 0; i < 4; i++) {
+            addCorner(to, i);
+        }
     }
 
     private void addCorner(Footprint to, int i) {
@@ -280,7 +288,7 @@ final class PixelFootprint {
                 directions[3 * i + 2]);
     }
 
-    /** Finds out whether the surface ends within the square, or is curved, and then how large what is seen of it is. */
+    /** Finds out whether the surface ends within the square, or is curved. */
     private void lookAtShape(SurfacePoint at, Shape shape) {
         double size = diagonal();
         double farthest = 0;
@@ -295,12 +303,10 @@ final class PixelFootprint {
             farthest = cosine > PhotonFilter.TWO_SIDED_NORMAL.cosine()
                     ? Math.max(farthest, off)
                     : Double.POSITIVE_INFINITY;
-            setCorner(i, probe, partAt.x, partAt.y, partAt.z);
         }
         if (farthest > SMOOTH * size) {
             isUneven = true;
         } else if (farthest > FLAT * size) {
-            footprint.area(polygonArea());
             footprint.reach(reach(shape));
         }
     }
@@ -340,21 +346,6 @@ final class PixelFootprint {
 
     private static double reach(Shape shape) {
         return shape.bounds().isFinite() ? REACH * 2 * shape.bounds().radius() : Double.POSITIVE_INFINITY;
-    }
-
-    /** The area of the two triangles between the corners. */
-    private double polygonArea() {
-        return triangleArea(0, 1, 2) + triangleArea(0, 2, 3);
-    }
-
-    private double triangleArea(int i, int j, int k) {
-        double ax = points[3 * j] - points[3 * i];
-        double ay = points[3 * j + 1] - points[3 * i + 1];
-        double az = points[3 * j + 2] - points[3 * i + 2];
-        double bx = points[3 * k] - points[3 * i];
-        double by = points[3 * k + 1] - points[3 * i + 1];
-        double bz = points[3 * k + 2] - points[3 * i + 2];
-        return 0.5 * Arithmetic.length(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx);
     }
 
     /** What the pixel's corners see over the same mirrors and through the same glass. */
