@@ -1,6 +1,7 @@
 package org.diacaustic.map;
 
 import org.diacaustic.math.Arithmetic;
+import org.diacaustic.math.Vector3;
 
 /**
  * What a lookup asks about: the part of a surface that is seen through a convex polygon. Its sides are planes, each through
@@ -55,6 +56,16 @@ public final class Footprint {
     double thickness;
 
     private int cornerCount;
+    /** Where the eye is, if the mean is over the picture. */
+    double eyeX;
+
+    double eyeY;
+    double eyeZ;
+
+    /** Null if the mean is over the surface. */
+    Vector3 eyeForward;
+
+    double pictureArea;
     private double reach;
     private double area;
     private boolean areaGiven;
@@ -69,6 +80,7 @@ public final class Footprint {
         cornerCount = 0;
         reach = 0;
         areaGiven = false;
+        eyeForward = null;
         closed = false;
     }
 
@@ -113,9 +125,29 @@ public final class Footprint {
         closed = false;
     }
 
+    /**
+     * Makes the mean one over the picture, and not over the surface: what is nearer, or faces the eye more, is larger there.
+     *
+     * @param x of the point that all eye rays of the footprint come from
+     * @param forward the camera's direction, of length 1
+     * @param pictureArea of the footprint, on a plane across that direction at a distance of 1
+     */
+    public void perspective(double x, double y, double z, Vector3 forward, double pictureArea) {
+        eyeX = x;
+        eyeY = y;
+        eyeZ = z;
+        eyeForward = forward;
+        this.pictureArea = pictureArea;
+    }
+
     /** The area of the surface within, in squared scene units, once the footprint is closed. */
     public double area() {
         return area;
+    }
+
+    /** Whether the surface is taken to be flat. */
+    boolean isFlat() {
+        return reach == 0;
     }
 
     /**

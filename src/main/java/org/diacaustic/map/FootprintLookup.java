@@ -28,7 +28,7 @@ public final class FootprintLookup implements IlluminationMap.Lookup {
 
     /**
      * Sets the mean irradiance within a footprint, in W·m⁻²: the power of every cell that is on the footprint's side of its
-     * surface and faces the eye, times the part of the cell within, over the footprint's area.
+     * surface and faces the eye, times the part of the cell within, over the footprint's area, on the surface or in the picture.
      *
      * @param at is not read: the footprint knows its surface
      * @throws IllegalStateException if the footprint is not closed
@@ -43,12 +43,14 @@ public final class FootprintLookup implements IlluminationMap.Lookup {
         double blue = 0;
         BoxTree tree = mesh.tree;
         float[] numbers = mesh.numbers;
+        boolean overPicture = footprint.eyeForward != null;
         region.start(footprint);
         for (int leaf = region.next(); leaf != BoxTree.DONE; leaf = region.next()) {
             int end = tree.end(leaf);
             for (int cell = tree.first(leaf); cell < end; cell++) {
                 double fraction = region.fraction(cell);
                 if (fraction > 0) {
+                    fraction *= overPicture ? region.pictureDensity(cell) : 1;
                     int power = CausticMesh.NUMBERS * cell + CausticMesh.POWER;
                     red += fraction * numbers[power];
                     green += fraction * numbers[power + 1];
@@ -57,7 +59,8 @@ public final class FootprintLookup implements IlluminationMap.Lookup {
                 }
             }
         }
-        double scale = mesh.powerUnit() / footprint.area();
+        double unit = mesh.lengthUnit();
+        double scale = mesh.powerUnit() / (overPicture ? footprint.pictureArea * unit * unit : footprint.area());
         irradiance.set(red * scale, green * scale, blue * scale);
     }
 

@@ -21,6 +21,7 @@ final class FootprintRegion {
     /** Packed normals are off by half of this: light that may face the eye is taken to. */
     private static final double GRAZING = 0x1p-12;
 
+    private static final double THIRD = 1.0 / 3;
     private static final double COSINE = PhotonFilter.TWO_SIDED_NORMAL.cosine();
 
     private final CausticMesh mesh;
@@ -53,6 +54,21 @@ final class FootprintRegion {
 
     private boolean lastAccepted;
 
+    /** The middle of the leaf, and the eye, in units of length from the mesh's origin. */
+    private double leafX;
+
+    private double leafY;
+    private double leafZ;
+    private double eyeX;
+    private double eyeY;
+    private double eyeZ;
+
+    /** The weights of second and third vertex at the middle of the part that was found last. */
+    private double middleU;
+
+    private double middleV;
+    private final SurfacePoint facing = new SurfacePoint();
+
     /** What rounding in boxes may move near the footprint, in units of length. */
     private double rounding;
 
@@ -68,6 +84,9 @@ final class FootprintRegion {
         double inverseUnit = 1 / mesh.lengthUnit();
         bound(inverseUnit);
         Vector3 origin = mesh.origin();
+        eyeX = inverseUnit * (closed.eyeX - origin.x());
+        eyeY = inverseUnit * (closed.eyeY - origin.y());
+        eyeZ = inverseUnit * (closed.eyeZ - origin.z());
         for (int side = 0; side < sides.count; side++) {
             int i = 3 * side;
             double nx = sides.normals[i];
@@ -140,6 +159,9 @@ final class FootprintRegion {
             double x = tree.middle(leaf, 0);
             double y = tree.middle(leaf, 1);
             double z = tree.middle(leaf, 2);
+            leafX = x;
+            leafY = y;
+            leafZ = z;
             for (int left = cutting; left != 0; left &= left - 1) {
                 int i = 3 * Integer.numberOfTrailingZeros(left);
                 atLeaf[i] = x - middles[i];
@@ -160,6 +182,8 @@ final class FootprintRegion {
 
     /** The part of a cell of the last leaf that is in the footprint: 0 if it is not on its surface. */
     double fraction(int cell) {
+        middleU = THIRD;
+        middleV = THIRD;
         if (mesh.tags[2 * cell + 1] != footprint.receiver || !accepts(mesh.tags[2 * cell])) {
             return 0;
         }
@@ -206,7 +230,30 @@ final class FootprintRegion {
             double third = nx * (cx + x) + ny * (cy + y) + nz * (cz + z);
             clip.add(first, second, third, sides.holdsPlane[side]);
         }
-        return clip.fraction();
+        double fraction = clip.fraction();
+        middleU = clip.middleU();
+        middleV = clip.middleV();
+        return fraction;
+    }
+
+    /** How large a unit of area is in the picture, in units of length, at the middle of the part that was found last. */
+    double pictureDensity(int cell) {
+        float[] n = mesh.numbers;
+        int i = CausticMesh.NUMBERS * cell;
+        double first = 1 - middleU - middleV;
+        double x = leafX + first * n[i] + middleU * n[i + 3] + middleV * n[i + 6] - eyeX;
+        double y = leafY + first * n[i + 1] + middleU * n[i + 4] + middleV * n[i + 7] - eyeY;
+        double z = leafZ + first * n[i + 2] + middleU * n[i + 5] + middleV * n[i + 8] - eyeZ;
+        Vector3 forward = footprint.eyeForward;
+        double depth = x * forward.x() + y * forward.y() + z * forward.z();
+        double along;
+        if (footprint.isFlat()) {
+            along = x * footprint.normalX + y * footprint.normalY + z * footprint.normalZ;
+        } else {
+            PackedNormal.unpack(mesh.tags[2 * cell], facing);
+            along = x * facing.normalX + y * facing.normalY + z * facing.normalZ;
+        }
+        return depth > 0 ? Math.abs(along) / (depth * depth * depth) : 0;
     }
 
     /** Whether a triangle comes as near to the polygon's plane as the footprint reaches. */

@@ -21,6 +21,14 @@ final class TriangleClip {
     /** Likewise: 1 if the lone vertex is on the negative side, so that its corner is what is missing. */
     private static final double[] WHOLE = {1, 1, 1, 0, 1, 0, 0, 0};
 
+    private static final double THIRD = 1.0 / 3;
+
+    /** Of smaller parts, rounding says where their middle is. */
+    private static final double LEAST_PART = 0x1p-40;
+
+    private double middleU;
+    private double middleV;
+
     /** Three numbers a plane: the distances of the vertices, on any scale. */
     private final double[] distances = new double[3 * (Footprint.LARGEST_CORNERS + 1)];
 
@@ -66,8 +74,20 @@ final class TriangleClip {
         planes += (int) ((p | q | r) >>> 63);
     }
 
+    /** The weight of the second vertex at the middle of what {@link #fraction} found. */
+    double middleU() {
+        return middleU;
+    }
+
+    /** The weight of the third. */
+    double middleV() {
+        return middleV;
+    }
+
     /** The part of the triangle that is on the positive side of all planes. */
     double fraction() {
+        middleU = THIRD;
+        middleV = THIRD;
         if (outside < 0) {
             return 0;
         }
@@ -85,8 +105,20 @@ final class TriangleClip {
             cut(distances[i], distances[i + 1], distances[i + 2]);
         }
         double twice = 0;
+        double sumU = 0;
+        double sumV = 0;
         for (int i = 2; i < count; i++) {
-            twice += (u[i - 1] - u[0]) * (v[i] - v[0]) - (u[i] - u[0]) * (v[i - 1] - v[0]);
+            double part = (u[i - 1] - u[0]) * (v[i] - v[0]) - (u[i] - u[0]) * (v[i - 1] - v[0]);
+            twice += part;
+            sumU += part * (u[i - 1] - u[0] + u[i] - u[0]);
+            sumV += part * (v[i - 1] - v[0] + v[i] - v[0]);
+        }
+        if (twice > LEAST_PART) {
+            middleU = u[0] + THIRD * sumU / twice;
+            middleV = v[0] + THIRD * sumV / twice;
+        } else if (count > 0) {
+            middleU = u[0];
+            middleV = v[0];
         }
         return Math.min(1, Math.max(0, twice));
     }
@@ -98,7 +130,20 @@ final class TriangleClip {
         double distance = distances[lone];
         double other = distances[lone == 2 ? 0 : lone + 1];
         double another = distances[lone == 0 ? 2 : lone - 1];
-        double corner = distance / (distance - other) * (distance / (distance - another));
+        double next = distance / (distance - other);
+        double last = distance / (distance - another);
+        double corner = next * last;
+        // The middle of the corner, from weights 1, 0, 0 of the lone vertex on.
+        double ofNext = THIRD * next;
+        double ofLast = THIRD * last;
+        double left = 1 - corner;
+        if (WHOLE[signs] == 1 && left > LEAST_PART) {
+            ofNext = (THIRD - corner * ofNext) / left;
+            ofLast = (THIRD - corner * ofLast) / left;
+        }
+        double ofLone = 1 - ofNext - ofLast;
+        middleU = lone == 0 ? ofNext : lone == 1 ? ofLone : ofLast;
+        middleV = lone == 0 ? ofLast : lone == 1 ? ofNext : ofLone;
         return Math.abs(WHOLE[signs] - corner);
     }
 

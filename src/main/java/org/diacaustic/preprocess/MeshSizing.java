@@ -20,6 +20,9 @@ final class MeshSizing {
     /** The part of the rays that is for base cells, if the others find a use. */
     private static final double BASE_SHARE = 0.4;
 
+    /** Soft light has no sharp edges that would need as many rays. */
+    private static final double SOFT_IMPORTANCE = 1.0 / 8;
+
     private static final int LARGEST_DEPTH = 6;
     private static final int MOST_COLUMNS = 1 << 14;
 
@@ -39,7 +42,10 @@ final class MeshSizing {
     List<MeshLattice> lattices(Workers workers, ForwardCounters counters) {
         List<Beam> beams = plan.beams();
         double[] importance = new double[beams.size()];
-        overBeams(workers, counters, (i, pilot) -> importance[i] = importance(pilot.power(plan.rays() / beams.size())));
+        overBeams(
+                workers,
+                counters,
+                (i, pilot) -> importance[i] = importance(pilot.power(plan.rays() / beams.size()), beams.get(i)));
         double total = 0;
         for (double each : importance) {
             total += each;
@@ -77,8 +83,9 @@ final class MeshSizing {
     }
 
     /** By which the rays are dealt out: errors grow with the power and fall with the rays, and so their squares' sum is least. */
-    private static double importance(double power) {
-        return power > 0 ? StrictMath.cbrt(power * power) : 0;
+    private static double importance(double power, Beam beam) {
+        double ofPoint = power > 0 ? StrictMath.cbrt(power * power) : 0;
+        return beam.pointCount() == 1 ? ofPoint : SOFT_IMPORTANCE * ofPoint;
     }
 
     private List<MeshLattice> lattices(MeshPilot pilot, int number, double rays) {

@@ -130,8 +130,10 @@ final class IndirectLight {
     private void ask(int depth, long way, Ray ray, double pathLength, double weight) {
         boolean isWhole = footprint.find(depth, way, ray, pathLength, weight, at);
         footprint.ask(lookup, at, irradiance);
-        if (isCompared) {
+        if (isCompared && (depth == 0 || weight >= PixelFootprint.WORTHWHILE)) {
             footprint.ask(coarser, at, coarserIrradiance);
+        } else {
+            coarserIrradiance.set(irradiance);
         }
         if (isWhole && keepsAnswers) {
             keepAnswer(way);

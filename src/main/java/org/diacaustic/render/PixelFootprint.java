@@ -25,8 +25,8 @@ final class PixelFootprint {
     /** The side of the smaller square. */
     private static final double PART = 0.25;
 
-    /** Light that makes less of the pixel is not worth rays of its own. */
-    private static final double WORTHWHILE = 1.0 / 16;
+    /** Light that makes less of the pixel is not worth rays of its own, nor is its error. */
+    static final double WORTHWHILE = 1.0 / 16;
 
     /** The cosine below which a square seen at a flat angle grows no longer. */
     private static final double LEAST_COSINE = 1.0 / 16;
@@ -37,8 +37,8 @@ final class PixelFootprint {
     /** What lies off the plane by less than this part of the footprint is flat. */
     private static final double FLAT = 0x1p-20;
 
-    /** And by less than this, is as large as the polygon of its corners. */
-    private static final double SMOOTH = 0x1p-5;
+    /** And by less than this, is one surface. */
+    private static final double SMOOTH = 0x1p-3;
 
     /** The part of a curved object's size within which light on it belongs to what is seen. */
     private static final double REACH = 1.0 / 64;
@@ -47,7 +47,7 @@ final class PixelFootprint {
     private static final int PARTS = 4;
 
     /** How far before and behind a small square light belongs to it, in sizes of what it sees. */
-    private static final double PART_REACH = 4;
+    private static final double PART_REACH = 2;
 
     private final Camera camera;
     private final SceneIndex index;
@@ -113,7 +113,7 @@ final class PixelFootprint {
      * @param signature of the eye's path with its end
      * @param pathLength how long the eye's path is, in scene units
      * @param weight the part of the pixel's light that may come from here
-     * @return whether it is that of the whole pixel
+     * @return whether it will do for the whole pixel
      */
     boolean find(int depth, long signature, Ray ray, double pathLength, double weight, SurfacePoint at) {
         isHalved = false;
@@ -122,14 +122,17 @@ final class PixelFootprint {
         left = Math.floor(sampleX);
         top = Math.floor(sampleY);
         side = 1;
-        if (depth == 0 ? findDirect(at) : weight >= WORTHWHILE && findOverWay(depth, signature, at)) {
+        if (depth > 0 && weight < WORTHWHILE) {
+            findAbout(ray, pathLength, at);
+            return true;
+        }
+        if (depth == 0 ? findDirect(at) : findOverWay(depth, signature, at)) {
             return true;
         }
         side = PART;
         left = sampleX - side / 2;
         top = sampleY - side / 2;
-        boolean isFound = depth == 0 ? findDirect(at) : weight >= WORTHWHILE && findOverWay(depth, signature, at);
-        if (!isFound) {
+        if (!(depth == 0 ? findDirect(at) : findOverWay(depth, signature, at))) {
             findAbout(ray, pathLength, at);
         }
         return false;
@@ -243,7 +246,11 @@ final class PixelFootprint {
             }
             setCorner(i, corner, corner.pointX(t), corner.pointY(t), corner.pointZ(t));
         }
-        return closeWhole(at);
+        footprint.begin(at);
+        addCorners(footprint);
+        footprint.perspective(
+                corner.originX, corner.originY, corner.originZ, camera.forward(), side * side * camera.pixelArea());
+        return footprint.close();
     }
 
     private static double alongNormal(SurfacePoint at, double x, double y, double z) {
@@ -261,10 +268,14 @@ final class PixelFootprint {
 
     private boolean closeWhole(SurfacePoint at) {
         footprint.begin(at);
-        for (int i = 0; i < 4; i++) {
-            addCorner(footprint, i);
-        }
+        addCorners(footprint);
         return footprint.close();
+    }
+
+    private void addCorners(Footprint to) {
+        for (int i = 0; i < 4; i++) {
+            addCorner(to, i);
+        }
     }
 
     private void addCorner(Footprint to, int i) {
@@ -277,7 +288,7 @@ final class PixelFootprint {
                 directions[3 * i + 2]);
     }
 
-    /** Finds out whether the surface ends within the square, or is curved, and then how large what is seen of it is. */
+    /** Finds out whether the surface ends within the square, or is curved. */
     private void lookAtShape(SurfacePoint at, Shape shape) {
         double size = diagonal();
         double farthest = 0;
@@ -292,12 +303,10 @@ final class PixelFootprint {
             farthest = cosine > PhotonFilter.TWO_SIDED_NORMAL.cosine()
                     ? Math.max(farthest, off)
                     : Double.POSITIVE_INFINITY;
-            setCorner(i, probe, partAt.x, partAt.y, partAt.z);
         }
         if (farthest > SMOOTH * size) {
             isUneven = true;
         } else if (farthest > FLAT * size) {
-            footprint.area(polygonArea());
             footprint.reach(reach(shape));
         }
     }
@@ -337,21 +346,6 @@ final class PixelFootprint {
 
     private static double reach(Shape shape) {
         return shape.bounds().isFinite() ? REACH * 2 * shape.bounds().radius() : Double.POSITIVE_INFINITY;
-    }
-
-    /** The area of the two triangles between the corners. */
-    private double polygonArea() {
-        return triangleArea(0, 1, 2) + triangleArea(0, 2, 3);
-    }
-
-    private double triangleArea(int i, int j, int k) {
-        double ax = points[3 * j] - points[3 * i];
-        double ay = points[3 * j + 1] - points[3 * i + 1];
-        double az = points[3 * j + 2] - points[3 * i + 2];
-        double bx = points[3 * k] - points[3 * i];
-        double by = points[3 * k + 1] - points[3 * i + 1];
-        double bz = points[3 * k + 2] - points[3 * i + 2];
-        return 0.5 * Arithmetic.length(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx);
     }
 
     /** What the pixel's corners see over the same mirrors and through the same glass. */

@@ -71,6 +71,16 @@ public final class Camera {
         return height;
     }
 
+    /** The direction of the view, of length 1. */
+    public Vector3 forward() {
+        return forward;
+    }
+
+    /** The area of a pixel on a plane across the view at a distance of 1. */
+    public double pixelArea() {
+        return 4 * halfWidth * halfHeight / ((double) width * height);
+    }
+
     /** In scene units; 0 for a pinhole. */
     public double lensRadius() {
         return lensRadius;
