@@ -314,7 +314,9 @@ class RenderCommandTest {
     @Test
     void render_givenStatistics_countsTheForwardPass() throws IOException {
         Path file = folder.resolve("stats.json");
-        assertThat(render("--stats", file, "--preprocessor", "cube", "--map", "photon-map").code()).isZero();
+        assertThat(render("--stats", file, "--preprocessor", "cube", "--map", "photon-map")
+                        .code())
+                .isZero();
         JsonNode stats = JSON.readTree(file.toFile());
         assertThat(stats.at("/counters/primaryLightRays").asLong()).isBetween(1800L, 2200L);
         assertThat(stats.at("/counters/lightRays").asLong())
