@@ -22,6 +22,11 @@ final class EyeTracer extends PathTracer {
     private final boolean seesMapOnly;
     private boolean seesLight;
 
+    /** A tracer of all light. */
+    EyeTracer(RenderPlan plan, Illumination light) {
+        this(plan, light, false);
+    }
+
     /** @param seesMapOnly whether {@link #trace} is to find nothing but what the map brings */
     EyeTracer(RenderPlan plan, Illumination light, boolean seesMapOnly) {
         super(plan.index(), plan.eyeRules());

@@ -180,8 +180,8 @@ class BrokenSceneTest {
         Cli.Result result = Cli.run("render", scene, "-o", folder.resolve("out.png"));
         assertThat(result.code()).isEqualTo(4);
         assertThat(result.errorLines()).hasSize(1);
-        // 3 floats of 4 bytes for each of 10^10 pixels.
-        assertThat(result.err()).contains("100000 x 100000 needs 120000000000 bytes");
+        // 3 floats of 4 bytes for each of 10^10 pixels, of the picture and of what a coarser map would change.
+        assertThat(result.err()).contains("100000 x 100000 needs 240000000000 bytes");
     }
 
     @Test

@@ -17,8 +17,8 @@ class ForwardLimitsTest {
     @CsvSource(delimiter = '|', textBlock = """
                     rays: 10000000000000 | 2 | settings.rays: expected a whole number
                     rays: 2000, map: ambient-maps, map-blur: 2 | 2 | map-blur must be odd
-                    preprocessor: adaptive, lattice-size: 100000 | 2 | smaller lattice-size
-                    preprocessor: adaptive, lattice-size: 725, split: 64 | 2 | 2152960000 cells, which are too many
+                    map: photon-map, preprocessor: adaptive, lattice-size: 100000 | 2 | smaller lattice-size
+                    map: photon-map, preprocessor: adaptive, lattice-size: 725, split: 64 | 2 | 2152960000 cells, which are too many
                     preprocessor: adaptive, lattice-size: 100000, estimator: expected-count | 2 | smaller lattice-size
                     preprocessor: monte-carlo, base-rays: 600000000 | 2 | give fewer rays or base-rays
                     rays: 2000, initial-hits: 1 | 2 | take estimator 'expected-count'

@@ -64,7 +64,7 @@ class RenderCommandTest {
                     --map photon-map --shader non-refractive | diacaustic: shader 'non-refractive' lets light through glass straight, and map 'photon-map' brings it again: take shader 'non-transparent', or no map
                     --map ambient-maps  | diacaustic: 'floor' has no end and cannot have an ambient map of its own; use 'map: photon-map' instead
                     --preprocessor cubic | diacaustic: unknown preprocessor 'cubic'; known are auto, none, random, monte-carlo, planar, cube, adaptive, own-map
-                    --map caustic-map   | -D map: settings.map: expected one of auto, none, ambient-maps, photon-map, found 'caustic-map'
+                    --map caustic-map   | -D map: settings.map: expected one of auto, none, ambient-maps, photon-map, caustic-mesh, found 'caustic-map'; did you mean 'caustic-mesh'?
                     --rays 0            | -D rays: settings.rays: expected a whole number from 1 to 1000000000000, found '0'
                     --sizes 3x3         | diacaustic render: Unknown options: '--sizes', '3x3'; did you mean '--size'?
                     -D fresnl=true      | -D fresnl: settings.fresnl: unknown key; did you mean 'fresnel'?
@@ -252,11 +252,12 @@ class RenderCommandTest {
         assertThat(root.get("seed").asLong()).isEqualTo(Long.MIN_VALUE);
         assertThat(root.get("threads").asInt()).isEqualTo(2);
         assertThat(root.get("complete").asBoolean()).isTrue();
-        assertThat(root.get("errorEstimate").isNull()).isTrue();
+        assertThat(root.get("errorEstimate").asDouble()).isPositive();
+        assertThat(root.get("noiseEstimate").isNull()).isTrue();
         assertMembers(root.get("plan"), "used", "leftOut");
         assertMembers(root.get("seconds"), "parse", "plan", "preprocess", "build", "render", "write");
         assertMembers(root.get("energy"), "emitted", "stored", "absorbed", "escaped", "cut");
-        assertMembers(root.get("memory"), "mapBytes", "peakHeapBytes");
+        assertMembers(root.get("memory"), "mapBytes", "bytesPerCell", "peakHeapBytes");
         assertMembers(
                 root.get("counters"),
                 "eyeRays",
@@ -269,7 +270,8 @@ class RenderCommandTest {
                 "stored",
                 "nodesExamined",
                 "photonsUsed",
-                "cells");
+                "cells",
+                "plannedLightRays");
         assertThat(root.at("/counters/eyeRays").asInt()).isEqualTo(20 * 16);
         assertThat(root.at("/memory/peakHeapBytes").asLong()).isPositive();
     }
@@ -312,7 +314,9 @@ class RenderCommandTest {
     @Test
     void render_givenStatistics_countsTheForwardPass() throws IOException {
         Path file = folder.resolve("stats.json");
-        assertThat(render("--stats", file, "--preprocessor", "cube").code()).isZero();
+        assertThat(render("--stats", file, "--preprocessor", "cube", "--map", "photon-map")
+                        .code())
+                .isZero();
         JsonNode stats = JSON.readTree(file.toFile());
         assertThat(stats.at("/counters/primaryLightRays").asLong()).isBetween(1800L, 2200L);
         assertThat(stats.at("/counters/lightRays").asLong())
