@@ -38,8 +38,10 @@ public final class MeshPass {
         this.pass = pass;
         this.workers = workers;
         this.progress = progress;
-        this.cells = new CellStore(plan.origin(), plan.powerUnit(), plan.capacity());
-        this.largeCells = new CellStore(plan.origin(), plan.powerUnit(), plan.capacity());
+        // What memory has room for may be more than a mesh can name.
+        int capacity = Math.min(plan.capacity(), CellStore.LARGEST_CAPACITY);
+        this.cells = new CellStore(plan.origin(), plan.powerUnit(), capacity);
+        this.largeCells = new CellStore(plan.origin(), plan.powerUnit(), capacity);
     }
 
     /** Runs the pass, once. */
