@@ -40,7 +40,7 @@ public class EyePassBenchmark {
         SceneFile file = SceneReader.read(Path.of("scenes", scene + ".yaml"), problems)
                 .orElseThrow(() -> new IllegalStateException(problems.toString()));
         camera = file.scene().camera();
-        tracer = new EyeTracer(RenderPlan.of(file.scene(), file.settings()), Illumination.NONE);
+        tracer = new EyeTracer(RenderPlan.of(file.scene(), file.settings()), Illumination.NONE, false);
     }
 
     @Benchmark

@@ -4,8 +4,8 @@ import java.nio.file.Path;
 import java.util.Locale;
 import org.diacaustic.image.Exposure;
 import org.diacaustic.image.ImageFormat;
-import org.diacaustic.preprocess.ForwardPlan;
 import org.diacaustic.render.Refined;
+import org.diacaustic.render.RenderPlan;
 import org.diacaustic.render.Rendering;
 
 /** What a render says of itself: one line about the picture, and one for each thing that is not as it was asked. */
@@ -65,11 +65,12 @@ final class RenderReport {
         if (refined.rounds().isEmpty() || refined.plan().forward().isEmpty()) {
             return;
         }
-        ForwardPlan forward = refined.plan().forward().get();
-        if (refined.plan().estimatesError()) {
-            line.append(", --rays ").append(refined.plan().settings().forward().rays());
+        RenderPlan plan = refined.plan();
+        line.append(", --map ").append(plan.settings().maps().map().label());
+        if (plan.estimatesError()) {
+            line.append(" --rays ").append(plan.settings().forward().rays());
         } else {
-            line.append(", --passes ").append(forward.passes());
+            line.append(" --passes ").append(plan.passes());
         }
     }
 

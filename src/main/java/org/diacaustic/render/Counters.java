@@ -8,6 +8,9 @@ public final class Counters {
     long refractionRays;
     long cutRays;
     long intersectionTests;
+    /** Those of them that were made for shadow rays. */
+    long shadowTests;
+
     long nodesExamined;
     long photonsUsed;
     long nonFiniteSamples;
@@ -21,9 +24,20 @@ public final class Counters {
         refractionRays += other.refractionRays;
         cutRays += other.cutRays;
         intersectionTests += other.intersectionTests;
+        shadowTests += other.shadowTests;
         nodesExamined += other.nodesExamined;
         photonsUsed += other.photonsUsed;
         nonFiniteSamples += other.nonFiniteSamples;
+        firstNonFinitePixel = Math.min(firstNonFinitePixel, other.firstNonFinitePixel);
+    }
+
+    /** Adds what another render of the same picture did for {@link OtherLight}. */
+    void addOtherLight(Counters other) {
+        shadowRays += other.shadowRays;
+        shadowTests += other.shadowTests;
+        intersectionTests += other.shadowTests;
+        // A sample that was left out there may be left out here as well.
+        nonFiniteSamples = Math.max(nonFiniteSamples, other.nonFiniteSamples);
         firstNonFinitePixel = Math.min(firstNonFinitePixel, other.firstNonFinitePixel);
     }
 

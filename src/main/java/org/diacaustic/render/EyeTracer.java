@@ -16,15 +16,20 @@ final class EyeTracer extends PathTracer {
     private final Counters counters = new Counters();
     private final SampleStream random = new SampleStream();
     private final Rgb glow = new Rgb();
-    private final Rgb radiance = new Rgb();
+    private final SampleStream lightRandom = new SampleStream();
+    private final Rgb otherLight = new Rgb();
+    private final Rgb mapLight = new Rgb();
+    private final boolean seesMapOnly;
     private boolean seesLight;
 
-    EyeTracer(RenderPlan plan, Illumination light) {
+    /** @param seesMapOnly whether {@link #trace} is to find nothing but what the map brings */
+    EyeTracer(RenderPlan plan, Illumination light, boolean seesMapOnly) {
         super(plan.index(), plan.eyeRules());
         this.plan = plan;
         this.visibleLights = plan.visibleLights();
-        this.directLight = new DirectLight(plan, counters, random);
+        this.directLight = new DirectLight(plan, counters, lightRandom);
         this.indirectLight = new IndirectLight(plan, light);
+        this.seesMapOnly = seesMapOnly;
     }
 
     /** The ray to aim before {@link #trace}. */
@@ -32,13 +37,17 @@ final class EyeTracer extends PathTracer {
         return ray;
     }
 
-    /** The random numbers of the sample; started by the caller. */
+    /** The random numbers that samples are spread by; those of lights are others, so that neither depends on the other's number. */
     SampleStream random() {
         return random;
     }
 
     /** The samples from now on are those of another pixel. */
-    void startPixel() {
+    void startPixel(int pass, long pixel) {
+        long seed = plan.settings().seed();
+        // Forward passes have the streams above 0.
+        random.start(seed, -pass, pixel);
+        lightRandom.start(seed, -pass, ~pixel);
         indirectLight.startPixel();
     }
 
@@ -63,6 +72,7 @@ final class EyeTracer extends PathTracer {
 
     /** What was counted since the tracer was made. */
     Counters counters() {
+        counters.shadowTests = directLight.tests();
         counters.intersectionTests = tests() + directLight.tests() + indirectLight.tests();
         counters.nodesExamined = indirectLight.nodesExamined();
         counters.photonsUsed = indirectLight.photonsUsed();
@@ -70,14 +80,20 @@ final class EyeTracer extends PathTracer {
     }
 
     /**
-     * The radiance that arrives along the aimed ray, valid until the next call; only a part of it if the signal is set
-     * meanwhile, for between mirrors a ray may go on for long.
+     * The radiance that arrives along the aimed ray, but what the map brings of it; valid until the next call. Only a part of it
+     * if the signal is set meanwhile, for between mirrors a ray may go on for long.
      */
     Rgb trace(StopSignal stop) {
         counters.eyeRays++;
-        radiance.set(0, 0, 0);
+        otherLight.set(0, 0, 0);
+        mapLight.set(0, 0, 0);
         followAll(plan.mediaAtEye(), stop);
-        return radiance;
+        return otherLight;
+    }
+
+    /** What the map brings of the last radiance; valid until the next. */
+    Rgb mapLight() {
+        return mapLight;
     }
 
     /** Whether a light that can be seen lies before everything else; sets its radiance. */
@@ -96,23 +112,25 @@ final class EyeTracer extends PathTracer {
         if (!seesLight) {
             glow.set(plan.scene().background());
         }
-        radiance.addProduct(throughput, glow);
+        otherLight.addProduct(throughput, glow);
     }
 
     /** Adds A and Σ(D + S) of the hit. */
     @Override
     protected boolean arrive(int object, int side) {
-        addAmbient();
         indirectLight.pass(depth, signature);
         indirectLight.add(
-                object, side, depth, signatureAt(object, side), ray, pathLength, hit, surface, throughput, radiance);
-        directLight.add(object, side, hit, surface, scattering, media, throughput, radiance);
+                object, side, depth, signatureAt(object, side), ray, pathLength, hit, surface, throughput, mapLight);
+        if (!seesMapOnly) {
+            addAmbient();
+            directLight.add(object, side, hit, surface, scattering, media, throughput, otherLight);
+        }
         return true;
     }
 
     private void addAmbient() {
         double share = plan.diffuseFactor();
-        radiance.add(
+        otherLight.add(
                 throughput.red * surface.diffuse.red * surface.ambient.red * share,
                 throughput.green * surface.diffuse.green * surface.ambient.green * share,
                 throughput.blue * surface.diffuse.blue * surface.ambient.blue * share);
@@ -135,6 +153,7 @@ final class EyeTracer extends PathTracer {
     /** Makes the sample what is not a number, so that it is counted. */
     @Override
     protected void spoiled() {
-        radiance.set(Double.NaN, Double.NaN, Double.NaN);
+        otherLight.set(Double.NaN, Double.NaN, Double.NaN);
+        mapLight.set(Double.NaN, Double.NaN, Double.NaN);
     }
 }

@@ -1,6 +1,8 @@
 package org.diacaustic.render;
 
+import org.diacaustic.parallel.StopSignal;
 import org.diacaustic.render.Refined.End;
+import org.diacaustic.scene.Camera;
 
 /** A caustic mesh made anew with more light rays, round after round. */
 final class MeshRounds extends Rounds {
@@ -8,7 +10,7 @@ final class MeshRounds extends Rounds {
     private static final long FIRST_RAYS = 1 << 16;
 
     /** As above if time is short: it is measured first. */
-    private static final long FIRST_RAYS_IN_TIME = 1 << 14;
+    private static final long FIRST_RAYS_IN_TIME = 1 << 12;
 
     private static final long MOST_RAYS = 1 << 30;
 
@@ -18,19 +20,24 @@ final class MeshRounds extends Rounds {
     /** The part of the time left that a round is meant to take, as it may take longer. */
     private static final double CAREFUL = 0.85;
 
-    /** If there is so much more time than the last round took, the next one measures again before all is spent on one. */
-    private static final double MUCH = 20;
+    /** A round that would be so many times the last is preceded by one between them, as so far nobody can see. */
+    private static final double FAR = 32;
 
-    private static final double MEASURING_PART = 1.0 / 6;
+    /** As above, after the first round, which tells least. */
+    private static final double FAR_AT_FIRST = 4;
 
     /** The part of all memory that maps may take: the collector needs some to work in. */
     private static final double MAPS_PART = 0.75;
 
+    /** Null if each round is the mean of passes, which differ in it. */
+    private final OtherLight otherLight;
+
     private final RayForecast forecast = new RayForecast();
-    private double lastSeconds;
 
     MeshRounds(RenderPlan plan, Goal goal, int threads, RoundSignal signal, ProgressListener listener) {
         super(plan, goal, threads, signal, listener);
+        Camera camera = plan.scene().camera();
+        this.otherLight = plan.passes() == 1 ? new OtherLight(camera.width(), camera.height()) : null;
     }
 
     @Override
@@ -41,6 +48,11 @@ final class MeshRounds extends Rounds {
     @Override
     String estimated() {
         return "error";
+    }
+
+    @Override
+    String stuck() {
+        return "twice as many light rays, and more, bring it no further";
     }
 
     @Override
@@ -80,35 +92,52 @@ final class MeshRounds extends Rounds {
 
     private long firstRays() {
         long given = plan.settings().forward().rays();
-        if (given > 0) {
-            return given;
-        }
-        return goal.deadline().isPresent() ? FIRST_RAYS_IN_TIME : FIRST_RAYS;
+        long first = given > 0 ? given : FIRST_RAYS;
+        return goal.deadline().isPresent() ? Math.min(first, FIRST_RAYS_IN_TIME) : first;
     }
 
     private Rendering render(long rays) {
         RenderPlan round = plan.with(rays, plan.settings().forward().passes());
         long start = System.nanoTime();
         int passes = round.passes();
-        PassRun run = new PassRun(round, threads, signal.next(), passes > 1);
+        StopSignal stop = signal.next();
+        PassRun run = otherLight == null
+                ? new PassRun(round, threads, stop, true)
+                : new PassRun(round, threads, stop, otherLight);
         RenderProgress progress = new RenderProgress(round, passes, true, listener());
         for (int pass = 0; pass < passes; pass++) {
             run.render(progress);
         }
         Rendering rendering = run.rendering(passes);
-        lastSeconds = (System.nanoTime() - start) * 1e-9;
+        double seconds = (System.nanoTime() - start) * 1e-9;
         double error = rendering.isComplete() ? rendering.errorEstimate() : Double.NaN;
         keep(rendering, rays, passes);
-        note(new Round(rays, passes, lastSeconds, error));
+        note(new Round(rays, passes, seconds, error));
         double lightSeconds =
                 rendering.forward().traceSeconds() + rendering.forward().buildSeconds();
         forecast.add(new RayForecast.Measured(
                 rays,
                 error,
                 lightSeconds,
-                lastSeconds - lightSeconds,
+                seconds - lightSeconds,
+                rendering.counters().nodesExamined(),
+                rendering.counters().intersectionTests(),
+                otherLight == null ? 0 : rendering.counters().shadowTests,
                 rendering.forward().mapBytes()));
+        shareOtherLight(rendering);
         return rendering;
+    }
+
+    /** What the first round found for all the others, too. */
+    private void shareOtherLight(Rendering rendering) {
+        if (otherLight == null || !rendering.isComplete()) {
+            return;
+        }
+        if (otherLight.isThere()) {
+            otherLight.addCounts(rendering.counters());
+        } else {
+            otherLight.complete(rendering.counters());
+        }
     }
 
     private long raysInMemory() {
@@ -116,10 +145,11 @@ final class MeshRounds extends Rounds {
     }
 
     private long raysInTime() {
-        double left = goal.secondsLeft();
-        if (left == Double.POSITIVE_INFINITY) {
+        if (goal.deadline().isEmpty()) {
             return Long.MAX_VALUE;
         }
-        return forecast.raysForSeconds(left > MUCH * lastSeconds ? MEASURING_PART * left : CAREFUL * left);
+        long fit = forecast.raysForSeconds(CAREFUL * goal.secondsLeft());
+        double growth = (double) fit / forecast.rays();
+        return growth > (forecast.isFirst() ? FAR_AT_FIRST : FAR) ? (long) (forecast.rays() * Math.sqrt(growth)) : fit;
     }
 }

@@ -34,6 +34,11 @@ final class PassRounds extends Rounds {
     }
 
     @Override
+    String stuck() {
+        return "all passes are alike";
+    }
+
+    @Override
     End renderAll() {
         PassRun run = new PassRun(plan, threads, signal.next(), most > 1);
         double roundSeconds = 0;

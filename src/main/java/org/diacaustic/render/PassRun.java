@@ -29,6 +29,9 @@ final class PassRun {
     private final PassMean picture;
     private final Counters counters = new Counters();
     private final ForwardTotals forward = new ForwardTotals();
+    /** Null if it is not kept. */
+    private final OtherLight otherLight;
+
     private final AtomicInteger tilesDone = new AtomicInteger();
     /** Null if no photons are kept. */
     private final MapBuilder builder;
@@ -42,6 +45,16 @@ final class PassRun {
      * @param isMean whether there may be more than one pass
      */
     PassRun(RenderPlan plan, int threads, StopSignal stop, boolean isMean) {
+        this(plan, threads, stop, isMean, null);
+    }
+
+    /** A run of one pass that keeps what no map brings, or does not look at it if it is there. */
+    PassRun(RenderPlan plan, int threads, StopSignal stop, OtherLight otherLight) {
+        this(plan, threads, stop, false, otherLight);
+    }
+
+    private PassRun(RenderPlan plan, int threads, StopSignal stop, boolean isMean, OtherLight otherLight) {
+        this.otherLight = otherLight;
         this.plan = plan;
         this.workers = new Workers(plan.forward().isPresent() ? threads : Math.min(threads, plan.tileCount()), stop);
         this.picture = new PassMean(
@@ -76,7 +89,7 @@ final class PassRun {
         long start = System.nanoTime();
         List<TileRenderer> renderers = Collections.synchronizedList(new ArrayList<>());
         workers.run(plan.tileCount(), () -> {
-            TileRenderer renderer = new TileRenderer(plan, light, pass, picture);
+            TileRenderer renderer = new TileRenderer(plan, light, pass, picture, otherLight);
             renderers.add(renderer);
             return number -> render(number, renderer, progress);
         });

@@ -26,8 +26,16 @@ final class RayForecast {
     /** What building maps takes meanwhile ÷ what they take in the end. */
     private static final double PEAK = 2;
 
-    /** The part of the eye pass' time that grows with the rays, at least. */
-    private static final double GROWING_PART = 0.25;
+    /** The slope of log seconds against log rays of making maps: the machine gets faster yet while it works. */
+    private static final double LIGHT_SLOPE = 0.9;
+
+    /** As above of asking maps, as long as one round does not tell it. */
+    private static final double FIRST_LOOKUP_SLOPE = 0.75;
+
+    /** The slope of asking maps gets steeper as more and more cells lie in a pixel, and ends at 1. */
+    private static final double STEEPENING = 0.2;
+
+    private static final double LARGEST_TIMES = 0x1p40;
 
     private final List<Measured> rounds = new ArrayList<>();
     private double best = Double.POSITIVE_INFINITY;
@@ -39,14 +47,29 @@ final class RayForecast {
      * @param error estimated
      * @param lightSeconds of following light rays and making maps
      * @param eyeSeconds of all else
+     * @param lookups nodes that were looked at in maps
+     * @param tests of rays, which are as many however fine the maps are
+     * @param testsOnce those of them that no further round needs
      * @param mapBytes of the maps
      */
-    record Measured(long rays, double error, double lightSeconds, double eyeSeconds, long mapBytes) {}
+    record Measured(
+            long rays,
+            double error,
+            double lightSeconds,
+            double eyeSeconds,
+            long lookups,
+            long tests,
+            long testsOnce,
+            long mapBytes) {}
 
     void add(Measured round) {
         inVain = round.error < PROGRESS * best ? 0 : inVain + 1;
         best = Math.min(best, round.error);
         rounds.add(round);
+    }
+
+    private Measured before() {
+        return rounds.get(rounds.size() - 2);
     }
 
     private Measured last() {
@@ -79,21 +102,46 @@ final class RayForecast {
         return slope < FLATTEST ? Math.max(STEEPEST, slope) : FLATTEST;
     }
 
-    /** The most rays of a round that ends within so many seconds. */
+    /** The most rays of a round that ends within so many seconds; 0 if none does. */
     long raysForSeconds(double seconds) {
-        double growing = last().eyeSeconds * growingPart();
-        double fixed = last().eyeSeconds - growing;
-        return times(Math.max(0, (seconds - fixed) / (last().lightSeconds + growing)));
+        double fits = 0;
+        double fitsNot = LARGEST_TIMES;
+        // By bisection, to a thousandth.
+        while (fitsNot > 1.001 * fits && fitsNot > 0x1p-20) {
+            double times = fits == 0 ? fitsNot / 2 : Math.sqrt(fits * fitsNot);
+            if (seconds(times) <= seconds) {
+                fits = times;
+            } else {
+                fitsNot = times;
+            }
+        }
+        return times(fits);
     }
 
-    /** The part of the last eye pass' time that is proportional to the rays. */
-    private double growingPart() {
+    /** The seconds of a round with so many times the rays of the last. */
+    double seconds(double times) {
+        Measured last = last();
+        double eyeWork = last.lookups * StrictMath.pow(times, lookupSlope()) + (last.tests - last.testsOnce);
+        return last.lightSeconds * StrictMath.pow(times, LIGHT_SLOPE)
+                + last.eyeSeconds * eyeWork / Math.max(1, last.lookups + last.tests);
+    }
+
+    /** The slope of the logarithm of lookups against that of rays. */
+    private double lookupSlope() {
         if (rounds.size() == 1) {
-            return GROWING_PART;
+            return FIRST_LOOKUP_SLOPE;
         }
-        Measured before = rounds.get(rounds.size() - 2);
-        double perRay = (last().eyeSeconds - before.eyeSeconds) / (last().rays - before.rays);
-        return Math.max(GROWING_PART, Math.min(1, perRay * last().rays / last().eyeSeconds));
+        double slope = slope(before().lookups, last().lookups);
+        return slope > 0 ? Math.min(1, slope + STEEPENING) : STEEPENING;
+    }
+
+    private double slope(double valueBefore, double valueLast) {
+        return StrictMath.log(valueLast / valueBefore) / StrictMath.log((double) last().rays / before().rays);
+    }
+
+    /** Whether a single round was measured yet. */
+    boolean isFirst() {
+        return rounds.size() == 1;
     }
 
     /** The most rays whose maps can be made in so many bytes. */

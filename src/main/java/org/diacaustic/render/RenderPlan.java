@@ -41,12 +41,14 @@ public final class RenderPlan {
     private final Light[] visibleLights;
     private final List<Decision> decisions;
 
+    /** @param why the decision about the map, if it was taken before; or null */
     private RenderPlan(
             Scene scene,
             Settings settings,
             SceneIndex index,
             Map<String, Shader> shaders,
-            List<PreProcessor> preProcessors) {
+            List<PreProcessor> preProcessors,
+            Decision why) {
         this.scene = scene;
         this.settings = settings;
         this.index = index;
@@ -66,6 +68,9 @@ public final class RenderPlan {
         this.visibleLights = scene.lights().stream().filter(Light::isVisible).toArray(Light[]::new);
         List<Decision> all = new ArrayList<>(forwardChoice.decisions());
         all.addAll(reasons.decisions(shader.name(), mediaAtEye.current()));
+        if (why != null) {
+            all.replaceAll(decision -> decision.part().equals(why.part()) ? why : decision);
+        }
         this.decisions = List.copyOf(all);
     }
 
@@ -97,16 +102,26 @@ public final class RenderPlan {
             }
         }
         SceneIndex index = SceneIndex.of(scene.objects(), settings.usesListOrder());
-        return new RenderPlan(scene, settings, index, shaders, preProcessors);
+        return new RenderPlan(scene, settings, index, shaders, preProcessors, null);
     }
 
-    /** The same, but for the light rays of a pass, where 0 leaves them to the plan, and the number of passes. */
+    /**
+     * The same with the same map, but for the light rays of a pass, where 0 leaves them to the plan, and the number of
+     * passes.
+     */
     RenderPlan with(long rays, int passes) {
-        Settings changed = settings.toBuilder()
+        Settings.Builder changed = settings.toBuilder()
                 .forward(
-                        settings.forward().toBuilder().rays(rays).passes(passes).build())
-                .build();
-        return new RenderPlan(scene, changed, index, shaders, preProcessors);
+                        settings.forward().toBuilder().rays(rays).passes(passes).build());
+        // Which map is the better one depends on the rays, but rounds are to be of one kind.
+        forward.map(ForwardPlan::map)
+                .ifPresent(
+                        map -> changed.maps(settings.maps().toBuilder().map(map).build()));
+        Decision why = decisions.stream()
+                .filter(decision -> decision.part().equals("map"))
+                .findFirst()
+                .orElse(null);
+        return new RenderPlan(scene, changed.build(), index, shaders, preProcessors, why);
     }
 
     public Scene scene() {

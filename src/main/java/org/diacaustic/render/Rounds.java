@@ -54,6 +54,9 @@ abstract class Rounds {
     /** What is estimated. */
     abstract String estimated();
 
+    /** What no progress means. */
+    abstract String stuck();
+
     /** Who is to hear how far a round is. */
     final ProgressListener listener() {
         return listener;
@@ -90,12 +93,10 @@ abstract class Rounds {
         if (end == End.DONE || goal.error().isEmpty() && end != End.CANCELLED) {
             return Optional.empty();
         }
-        String asked = goal.error().isPresent() ? percent(goal.error().getAsDouble()) + " was asked; " : "";
         double estimate = Refined.estimate(picture);
-        String reached = Double.isNaN(estimate)
-                ? "there is no telling the " + estimated()
-                : estimated() + " of about " + percent(estimate) + " is reached";
-        return Optional.of(asked + reached + ": " + reason(end));
+        String reached = Double.isNaN(estimate) ? "it cannot be told" : "about " + percent(estimate) + " is reached";
+        String asked = goal.error().isPresent() ? " of " + percent(goal.error().getAsDouble()) + " was asked for" : "";
+        return Optional.of(estimated() + asked + ", " + reached + ": " + reason(end));
     }
 
     private String reason(End end) {
@@ -103,7 +104,7 @@ abstract class Rounds {
             case TIME -> "there is no time for more " + counted();
             case MEMORY -> "more " + counted() + " do not fit in memory; java may use more with -Xmx";
             case COUNT -> "there cannot be more " + counted();
-            case NO_PROGRESS -> "more " + counted() + " bring it no further";
+            case NO_PROGRESS -> stuck();
             default -> "it was cancelled";
         };
     }

@@ -12,15 +12,27 @@ final class TileRenderer {
     private final PassMean picture;
     private final int pass;
     private final EyeTracer tracer;
-    private final Rgb sum = new Rgb();
+    /** Null if it is not kept. */
+    private final OtherLight otherLight;
+
+    private final Rgb otherSum = new Rgb();
+    private final Rgb mapSum = new Rgb();
     private final Rgb difference = new Rgb();
 
-    /** @param pass which of the passes that are averaged this is */
-    TileRenderer(RenderPlan plan, Illumination light, int pass, PassMean picture) {
+    /**
+     * @param pass which of the passes that are averaged this is
+     * @param otherLight keeps what no map brings, or has it already; null if neither
+     */
+    TileRenderer(RenderPlan plan, Illumination light, int pass, PassMean picture, OtherLight otherLight) {
         this.plan = plan;
         this.pass = pass;
         this.picture = picture;
-        this.tracer = new EyeTracer(plan, light);
+        this.otherLight = otherLight;
+        this.tracer = new EyeTracer(plan, light, hasOtherLight());
+    }
+
+    private boolean hasOtherLight() {
+        return otherLight != null && otherLight.isThere();
     }
 
     Counters counters() {
@@ -53,18 +65,17 @@ final class TileRenderer {
         Settings settings = plan.settings();
         Camera camera = plan.scene().camera();
         long pixel = (long) y * camera.width() + x;
+        tracer.startPixel(pass, pixel);
         SampleStream random = tracer.random();
-        // Forward passes have the streams above 0.
-        random.start(settings.seed(), -pass, pixel);
         int samples = settings.samples();
         boolean spread = samples > 1;
         boolean lens = camera.lensRadius() > 0;
         double shiftY = random.nextDouble();
         double lensShiftU = random.nextDouble();
         double lensShiftV = random.nextDouble();
-        sum.set(0, 0, 0);
+        otherSum.set(0, 0, 0);
+        mapSum.set(0, 0, 0);
         difference.set(0, 0, 0);
-        tracer.startPixel();
         for (int i = 0; i < samples; i++) {
             double across = spread ? (i + random.nextDouble()) / samples : 0.5;
             double down = spread ? Stratification.shiftedInverse(i, 2, shiftY) : 0.5;
@@ -73,30 +84,51 @@ final class TileRenderer {
             camera.aim(x + across, y + down, lensU, lensV, tracer.ray());
             // One sample tells well enough what another map would change.
             tracer.startSample(x + across, y + down, lensU, lensV, i == 0);
-            Rgb radiance = tracer.trace(stop);
+            Rgb other = tracer.trace(stop);
             if (stop.isSet()) {
                 return false;
             }
-            add(radiance, pixel);
+            addSample(other, tracer.mapLight(), pixel);
             difference.add(tracer.difference());
         }
-        sum.scale(1.0 / samples);
+        Rgb radiance = exchange(x, y, otherSum.scale(1.0 / samples)).add(mapSum.scale(1.0 / samples));
         if (settings.clamps()) {
-            sum.set(Math.min(1, sum.red), Math.min(1, sum.green), Math.min(1, sum.blue));
+            radiance.set(Math.min(1, radiance.red), Math.min(1, radiance.green), Math.min(1, radiance.blue));
         }
-        picture.add(pass, x, y, sum);
+        picture.add(pass, x, y, radiance);
         picture.addDifference(x, y, difference);
         return true;
     }
 
-    /** Adds a sample; one that is infinite or not a number is counted and left out. */
-    private void add(Rgb radiance, long pixel) {
-        if (Double.isFinite(radiance.red) && Double.isFinite(radiance.green) && Double.isFinite(radiance.blue)) {
-            sum.add(radiance);
-        } else {
+    /** Keeps what no map brings, or takes what was kept of it; rounded in either case, so that the picture is the same. */
+    private Rgb exchange(int x, int y, Rgb radiance) {
+        if (hasOtherLight()) {
+            otherLight.recall(x, y, radiance);
+            return radiance;
+        }
+        if (otherLight != null) {
+            otherLight.keep(x, y, radiance);
+        }
+        return radiance.set((float) radiance.red, (float) radiance.green, (float) radiance.blue);
+    }
+
+    /** Adds a sample; what is infinite or not a number is counted and left out. */
+    private void addSample(Rgb other, Rgb fromMap, long pixel) {
+        boolean isFinite = addTo(mapSum, fromMap);
+        isFinite &= addTo(otherSum, other);
+        if (!isFinite) {
             Counters counters = tracer.counters();
             counters.nonFiniteSamples++;
             counters.firstNonFinitePixel = Math.min(counters.firstNonFinitePixel, pixel);
         }
+    }
+
+    private static boolean addTo(Rgb sum, Rgb radiance) {
+        boolean isFinite =
+                Double.isFinite(radiance.red) && Double.isFinite(radiance.green) && Double.isFinite(radiance.blue);
+        if (isFinite) {
+            sum.add(radiance);
+        }
+        return isFinite;
     }
 }

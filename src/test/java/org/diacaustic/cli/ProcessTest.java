@@ -113,6 +113,45 @@ class ProcessTest {
     }
 
     @Test
+    void render_givenSignalInALaterRound_savesTheLastWholePicture() throws Exception {
+        assumeThat(File.separatorChar).isEqualTo('/');
+        Path picture = folder.resolve("out.png");
+        Process process = start(command("render", scene, "-o", picture, "--error", "1e-15", "--progress", "plain"));
+        long start = System.nanoTime();
+        while (!Files.readString(errors).contains("100 %")) {
+            assertThat(System.nanoTime() - start).isLessThan(PATIENCE.toNanos());
+            Thread.sleep(20);
+        }
+        // Rounds follow until a thousand million rays, so it is in one of them, and says at least which.
+        process.destroy();
+        assertThat(exitCode(process)).isEqualTo(143);
+        assertThat(files()).containsExactly("errors.txt", "out.png", "output.txt", "scene.yaml");
+        assertThat(Files.readString(errors)).containsPattern("error of .* is reached: it was cancelled");
+        assertThat(Files.readString(folder.resolve("output.txt"))).contains("error about ");
+    }
+
+    @Test
+    void render_givenTime_endsTheProcessInTime() throws Exception {
+        Path picture = folder.resolve("out.png");
+        long start = System.nanoTime();
+        Process process = start(command("render", scene, "-o", picture, "--time", "3s"));
+        assertThat(exitCode(process)).isZero();
+        // A tenth more at most, and what a busy machine takes to start a process and to see its end.
+        assertThat(Duration.ofNanos(System.nanoTime() - start)).isLessThan(Duration.ofMillis(3300 + 700));
+        assertThat(ImageFiles.read(picture).width()).isEqualTo(20);
+    }
+
+    @Test
+    void render_givenErrorAndLittleMemory_saysThatMoreRaysDoNotFit() throws Exception {
+        Path picture = folder.resolve("out.png");
+        List<String> command = command("render", scene, "-o", picture, "--error", "1e-9");
+        command.add(1, "-Xmx40m");
+        assertThat(exitCode(start(command))).isEqualTo(4);
+        assertThat(ImageFiles.read(picture).width()).isEqualTo(20);
+        assertThat(Files.readString(errors)).contains("more light rays do not fit in memory");
+    }
+
+    @Test
     void render_givenSignalWithinTheFirstPixel_stopsAsSoon() throws Exception {
         assumeThat(File.separatorChar).isEqualTo('/');
         Process process = start(command("render", scene, "-o", folder.resolve("out.pfm"), "--samples", ENDLESS));

@@ -82,7 +82,7 @@ class AllocationTest {
                 .light(new PointLight(v(2, 6, 3), Color.WHITE, new Falloff.InverseSquare(), 20))
                 .background(Color.WHITE)
                 .build();
-        EyeTracer tracer = new EyeTracer(RenderPlan.of(scene, Settings.physical()), Illumination.NONE);
+        EyeTracer tracer = new EyeTracer(RenderPlan.of(scene, Settings.physical()), Illumination.NONE, false);
         double warm = traceAll(tracer, scene.camera());
         long least = Long.MAX_VALUE;
         // The machine itself now and then allocates an object on our thread, when it compiles anew; it does not always.

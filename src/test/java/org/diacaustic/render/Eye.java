@@ -72,7 +72,7 @@ final class Eye {
                 .size(1, 1)
                 .build();
         EyeTracer tracer = new EyeTracer(
-                RenderPlan.of(scene.camera(camera).build(), withoutMap(settings).build()), Illumination.NONE);
+                RenderPlan.of(scene.camera(camera).build(), withoutMap(settings).build()), Illumination.NONE, false);
         tracer.random().start(1, 0, 0);
         tracer.ray().set(from, direction.normalized());
         Color radiance = tracer.trace(new StopSignal()).toColor();
