@@ -38,10 +38,8 @@ public final class MeshPass {
         this.pass = pass;
         this.workers = workers;
         this.progress = progress;
-        // What memory has room for may be more than a mesh can name.
-        int capacity = Math.min(plan.capacity(), CellStore.LARGEST_CAPACITY);
-        this.cells = new CellStore(plan.origin(), plan.powerUnit(), capacity);
-        this.largeCells = new CellStore(plan.origin(), plan.powerUnit(), capacity);
+        this.cells = new CellStore(plan.origin(), plan.powerUnit(), plan.capacity());
+        this.largeCells = new CellStore(plan.origin(), plan.powerUnit(), plan.capacity());
     }
 
     /** Runs the pass, once. */

@@ -10,13 +10,11 @@ import org.diacaustic.light.PointLight;
 import org.diacaustic.map.StoredCells;
 import org.diacaustic.math.Color;
 import org.diacaustic.math.Vector3;
-import org.diacaustic.parallel.Workers;
 import org.diacaustic.scene.Scene;
 import org.diacaustic.scene.Settings;
 import org.diacaustic.shape.ConvexPolygon;
 import org.diacaustic.shape.Plane;
 import org.diacaustic.shape.Sphere;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -166,30 +164,5 @@ class MeshPassTest {
                 .object("floor", Forward.square(0, 5 * scale), Forward.MATT)
                 .object("glass", new Sphere(new Vector3(0, 1.5, 0).times(scale), scale), Forward.clear(1.5, 1))
                 .build();
-    }
-
-    /** So it is where java may use more than 6 GB. */
-    @Test
-    void run_givenRoomForMoreCellsThanAMeshCanName_makesCells() {
-        Scene scene = Forward.ballsOverFloor(new PointLight(new Vector3(0.1, 7, 0.2), Color.WHITE));
-        ForwardPlan plan = Forward.plan(scene, PHYSICAL, "own-map", 500);
-        ForwardPlan roomy = new ForwardPlan(
-                plan.index(),
-                plan.rules(),
-                plan.rouletteThroughput(),
-                plan.preProcessor(),
-                plan.beams(),
-                plan.isWeighted(),
-                plan.seed(),
-                plan.origin(),
-                plan.extent(),
-                plan.powerUnit(),
-                Integer.MAX_VALUE - 8,
-                plan.map(),
-                plan.estimator(),
-                plan.passes(),
-                plan.maps());
-        MeshPass pass = new MeshPass(roomy, 0, new Workers(1), part -> {}).run();
-        assertThat(pass.cells().size()).isPositive();
     }
 }
