@@ -34,6 +34,9 @@ public final class CausticMesh implements IlluminationMap {
     /** Of each cell: the packed normal, and the receiver, which is object · 2 + front. */
     final int[] tags;
 
+    /** Null if they are not kept. */
+    final CellSeeds seeds;
+
     private final Vector3 origin;
     private final double lengthUnit;
     private final double powerUnit;
@@ -45,6 +48,7 @@ public final class CausticMesh implements IlluminationMap {
         lengthUnit = lengthUnit(store, workers);
         numbers = new float[NUMBERS * size];
         tags = new int[2 * size];
+        seeds = store.keepsSeeds() ? new CellSeeds(size) : null;
         tree = tree(store, workers);
         store.forget();
     }
@@ -134,6 +138,7 @@ public final class CausticMesh implements IlluminationMap {
         for (int i = first; i < end; i++) {
             reader.read(order[i]);
             reader.write(x, y, z, numbers, NUMBERS * i, tags, 2 * i);
+            reader.writeSeed(seeds, i);
         }
     }
 
@@ -147,7 +152,22 @@ public final class CausticMesh implements IlluminationMap {
 
     @Override
     public FootprintLookup lookup() {
-        return new FootprintLookup(this);
+        return new FootprintLookup(this, null);
+    }
+
+    /**
+     * A reader for one task that asks about points more exactly: in each triangle that a point is in, it looks for the light ray
+     * that lands at the very point. Where there is none, as where light is folded, the triangle's own density counts.
+     * Footprints are read as ever.
+     *
+     * @param paths of the light that the mesh was made of, owned by the same task
+     * @throws IllegalStateException if the mesh was made of a store that does not keep seeds
+     */
+    public FootprintLookup lookup(LightPaths paths) {
+        if (seeds == null) {
+            throw new IllegalStateException("a mesh follows light rays only if its cells keep their seeds");
+        }
+        return new FootprintLookup(this, paths);
     }
 
     @Override
@@ -162,7 +182,7 @@ public final class CausticMesh implements IlluminationMap {
 
     @Override
     public long bytes() {
-        return (4L * NUMBERS + 8) * size() + tree.bytes();
+        return (4L * NUMBERS + 8 + (seeds == null ? 0 : CellSeeds.BYTES)) * size() + tree.bytes();
     }
 
     Vector3 origin() {

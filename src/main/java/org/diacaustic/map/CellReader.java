@@ -66,4 +66,11 @@ final class CellReader {
         tags[tag] = chunk.tags[2 * place];
         tags[tag + 1] = chunk.tags[2 * place + 1];
     }
+
+    /** Writes the seed of the cell, if seeds are kept. */
+    void writeSeed(CellSeeds seeds, int cell) {
+        if (seeds != null) {
+            seeds.copy(chunk.seeds, place, cell, 1);
+        }
+    }
 }

@@ -13,16 +13,18 @@ public final class CellSlice {
     private final double originY;
     private final double originZ;
     private final double inversePowerUnit;
+    private final boolean keepsSeeds;
     private CellChunk last;
     private int used = CellChunk.SIZE;
     private long rejected;
 
-    CellSlice(ChunkPool<CellChunk> pool, Vector3 origin, double powerUnit) {
+    CellSlice(ChunkPool<CellChunk> pool, Vector3 origin, double powerUnit, boolean keepsSeeds) {
         this.pool = pool;
         this.originX = origin.x();
         this.originY = origin.y();
         this.originZ = origin.z();
         this.inversePowerUnit = 1 / powerUnit;
+        this.keepsSeeds = keepsSeeds;
     }
 
     /**
@@ -35,6 +37,20 @@ public final class CellSlice {
      *     full, or else by {@link CellStore#append}
      */
     public void addTriangle(SurfacePoint a, SurfacePoint b, SurfacePoint c, Rgb power) {
+        if (add(a, b, c, power) && keepsSeeds) {
+            last.seeds.writeNone(used - 1);
+        }
+    }
+
+    /** Stores a triangle of light with its seed, if seeds are kept. */
+    public void addTriangle(SurfacePoint a, SurfacePoint b, SurfacePoint c, Rgb power, CellSeed seed) {
+        if (add(a, b, c, power) && keepsSeeds) {
+            last.seeds.write(used - 1, seed);
+        }
+    }
+
+    /** Stores a triangle without seed; false if it is left out. */
+    private boolean add(SurfacePoint a, SurfacePoint b, SurfacePoint c, Rgb power) {
         double x = a.x - originX;
         double y = a.y - originY;
         double z = a.z - originZ;
@@ -49,7 +65,7 @@ public final class CellSlice {
                 || !(isPower(red) && isPower(green) && isPower(blue))
                 || !(normal > 0 && normal <= Double.MAX_VALUE)) {
             rejected++;
-            return;
+            return false;
         }
         if (used == CellChunk.SIZE) {
             addChunk();
@@ -73,6 +89,7 @@ public final class CellSlice {
         numbers[i + 8] = blue;
         last.tags[2 * place] = PackedNormal.of(normalX, normalY, normalZ);
         last.tags[2 * place + 1] = a.object << 1 | (a.front ? 1 : 0);
+        return true;
     }
 
     /** Stores power, in W, that is all at one point: a triangle of three equal vertices. */
@@ -95,6 +112,11 @@ public final class CellSlice {
         last = pool.take();
         chunks.add(last);
         used = 0;
+    }
+
+    /** Whether the seeds of cells are kept. */
+    public boolean keepsSeeds() {
+        return keepsSeeds;
     }
 
     /** The number of cells stored. */

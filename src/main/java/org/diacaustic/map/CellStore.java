@@ -6,7 +6,7 @@ import org.diacaustic.math.Vector3;
 
 /**
  * Cells of light: triangles on receivers with the power they carry, and points of power. Primitive arrays, no object per cell,
- * 68 bytes each. Tasks fill slices of their own, which are appended in the order of the tasks, so the cells and their order
+ * 68 bytes each, and 60 more if their seeds are kept. Tasks fill slices of their own, which are appended in the order of the tasks, so the cells and their order
  * do not depend on the number of threads. Slices and store take their room from one pool, as those of a
  * {@link PhotonStore} do.
  */
@@ -16,6 +16,7 @@ public final class CellStore {
 
     private final Vector3 origin;
     private final double powerUnit;
+    private final boolean keepsSeeds;
     private final ChunkPool<CellChunk> pool;
     private final List<CellChunk> chunks = new ArrayList<>();
     private int used = CellChunk.SIZE;
@@ -30,6 +31,10 @@ public final class CellStore {
      *     or above {@link #LARGEST_CAPACITY}
      */
     public CellStore(Vector3 origin, double powerUnit, int capacity) {
+        this(origin, powerUnit, capacity, false);
+    }
+
+    private CellStore(Vector3 origin, double powerUnit, int capacity, boolean keepsSeeds) {
         if (!origin.isFinite() || !(powerUnit > 0 && 1 / powerUnit > 0 && 1 / powerUnit <= Double.MAX_VALUE)) {
             throw new IllegalArgumentException("cells need a finite origin and a positive unit of power, but have "
                     + origin + " and " + powerUnit);
@@ -40,12 +45,18 @@ public final class CellStore {
         }
         this.origin = origin;
         this.powerUnit = powerUnit;
-        this.pool = new ChunkPool<>(CellChunk::new, "cells", capacity);
+        this.keepsSeeds = keepsSeeds;
+        this.pool = new ChunkPool<>(() -> new CellChunk(keepsSeeds), "cells", capacity);
+    }
+
+    /** A store as the constructor makes it, that keeps the seeds of cells too, for {@link CausticMesh#lookup(LightPaths)}. */
+    public static CellStore keepingSeeds(Vector3 origin, double powerUnit, int capacity) {
+        return new CellStore(origin, powerUnit, capacity, true);
     }
 
     /** An empty slice for one task; may be asked for on any thread. */
     public CellSlice slice() {
-        return new CellSlice(pool, origin, powerUnit);
+        return new CellSlice(pool, origin, powerUnit, keepsSeeds);
     }
 
     /**
@@ -99,7 +110,12 @@ public final class CellStore {
 
     /** The memory that the cells take. */
     public long bytes() {
-        return chunks.size() * CellChunk.BYTES;
+        return chunks.size() * (CellChunk.BYTES + (keepsSeeds ? CellChunk.SIZE * CellSeeds.BYTES : 0));
+    }
+
+    /** Whether the seeds of cells are kept. */
+    public boolean keepsSeeds() {
+        return keepsSeeds;
     }
 
     Vector3 origin() {

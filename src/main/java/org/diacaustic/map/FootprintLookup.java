@@ -10,10 +10,11 @@ public final class FootprintLookup implements IlluminationMap.Lookup {
     private final PointDensity density;
     private long used;
 
-    FootprintLookup(CausticMesh mesh) {
+    /** @param paths null if points have the density of the triangles that they are in */
+    FootprintLookup(CausticMesh mesh, LightPaths paths) {
         this.mesh = mesh;
         this.region = new FootprintRegion(mesh);
-        this.density = new PointDensity(mesh);
+        this.density = new PointDensity(mesh, paths);
     }
 
     /**

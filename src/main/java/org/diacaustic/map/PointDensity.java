@@ -6,15 +6,22 @@ import org.diacaustic.math.Rgb;
 
 /**
  * Finds the density of a mesh's light at points. A triangle counts if the point, moved along the triangle's normal, is in it,
- * and is not farther off than a quarter of its longest edge: so far the chord of a third of a circle is from its arc.
+ * and is not farther off than a quarter of its longest edge: so far the chord of a third of a circle is from its arc. With light
+ * paths to follow, a triangle's density is that of its ray which lands at the point, if there is one.
  * Working storage of one task.
  */
 final class PointDensity {
-    /** The square of the largest depth, in parts of the longest edge. */
-    private static final double DEPTH_SQUARED = 0.0625;
+    /** The largest depth, in parts of the longest edge. */
+    private static final double DEPTH = 0.25;
+
+    private static final double DEPTH_SQUARED = DEPTH * DEPTH;
 
     private final CausticMesh mesh;
     private final BoxWalk walk = new BoxWalk();
+    /** Null if none are looked for. */
+    private final PointRays rays;
+
+    private SurfacePoint point;
     private long used;
 
     /** Where is asked, from the middle of a leaf, in units of length. */
@@ -23,14 +30,25 @@ final class PointDensity {
     private double y;
     private double z;
 
+    /** A triangle's second and third vertex, from the first. */
+    private double bx;
+
+    private double by;
+    private double bz;
+    private double cx;
+    private double cy;
+    private double cz;
+
     /** The normal of a triangle: its length is twice the area. */
     private double normalX;
 
     private double normalY;
     private double normalZ;
 
-    PointDensity(CausticMesh mesh) {
+    /** @param paths null if triangles have the same density everywhere */
+    PointDensity(CausticMesh mesh, LightPaths paths) {
         this.mesh = mesh;
+        this.rays = paths == null ? null : new PointRays(mesh.seeds, paths);
     }
 
     void find(SurfacePoint at, Rgb irradiance) {
@@ -39,6 +57,10 @@ final class PointDensity {
             return;
         }
         irradiance.set(0, 0, 0);
+        point = at;
+        if (rays != null) {
+            rays.start(at);
+        }
         double unit = mesh.lengthUnit();
         double atX = (at.x - mesh.origin().x()) / unit;
         double atY = (at.y - mesh.origin().y()) / unit;
@@ -55,11 +77,14 @@ final class PointDensity {
             for (int i = tree.first(leaf); i < end; i++) {
                 if (mesh.tags[2 * i + 1] == receiver
                         && PackedNormal.isWithin(mesh.tags[2 * i], cosine, at.normalX, at.normalY, at.normalZ)) {
-                    add(CausticMesh.NUMBERS * i, irradiance);
+                    add(i, irradiance);
                 }
             }
         }
         irradiance.scale(mesh.powerUnit() / unit / unit);
+        if (rays != null) {
+            irradiance.add(rays.sum());
+        }
     }
 
     /** Walks along the line through the point and its normal: however large triangles are, they are not missed. */
@@ -85,15 +110,16 @@ final class PointDensity {
         walk.cut(-nx, -ny, -nz, along, margin);
     }
 
-    /** Adds the density of a triangle whose numbers begin at a place, in units of power and length. */
-    private void add(int i, Rgb sum) {
+    /** Adds the density of a cell, if its triangle has the point: in units of power and length, or that of a ray. */
+    private void add(int cell, Rgb sum) {
+        int i = CausticMesh.NUMBERS * cell;
         float[] n = mesh.numbers;
-        double bx = (double) n[i + 3] - n[i];
-        double by = (double) n[i + 4] - n[i + 1];
-        double bz = (double) n[i + 5] - n[i + 2];
-        double cx = (double) n[i + 6] - n[i];
-        double cy = (double) n[i + 7] - n[i + 1];
-        double cz = (double) n[i + 8] - n[i + 2];
+        bx = (double) n[i + 3] - n[i];
+        by = (double) n[i + 4] - n[i + 1];
+        bz = (double) n[i + 5] - n[i + 2];
+        cx = (double) n[i + 6] - n[i];
+        cy = (double) n[i + 7] - n[i + 1];
+        cz = (double) n[i + 8] - n[i + 2];
         normalX = by * cz - bz * cy;
         normalY = bz * cx - bx * cz;
         normalZ = bx * cy - by * cx;
@@ -109,11 +135,25 @@ final class PointDensity {
             double longestSquared = Math.max(
                     dx * dx + dy * dy + dz * dz, Math.max(bx * bx + by * by + bz * bz, cx * cx + cy * cy + cz * cz));
             if (off * off <= DEPTH_SQUARED * longestSquared * squared) {
-                double density = 2 / Math.sqrt(squared);
-                sum.add(density * n[i + 9], density * n[i + 10], density * n[i + 11]);
+                if (rays == null || !addRay(cell, squared, Math.sqrt(longestSquared))) {
+                    double density = 2 / Math.sqrt(squared);
+                    sum.add(density * n[i + 9], density * n[i + 10], density * n[i + 11]);
+                }
                 used++;
             }
         }
+    }
+
+    /** Adds the ray of a cell that lands at the point; false if there is none. */
+    private boolean addRay(int cell, double squared, double longest) {
+        int i = CausticMesh.NUMBERS * cell;
+        double dx = x - mesh.numbers[i];
+        double dy = y - mesh.numbers[i + 1];
+        double dz = z - mesh.numbers[i + 2];
+        double s = normalX * (dy * cz - dz * cy) + normalY * (dz * cx - dx * cz) + normalZ * (dx * cy - dy * cx);
+        double t = normalX * (by * dz - bz * dy) + normalY * (bz * dx - bx * dz) + normalZ * (bx * dy - by * dx);
+        double orientation = normalX * point.normalX + normalY * point.normalY + normalZ * point.normalZ;
+        return rays.add(cell, s / squared, t / squared, orientation, DEPTH * longest * mesh.lengthUnit());
     }
 
     /** Whether the point is on the inner side of the edge that leaves the vertex at a place. */

@@ -5,7 +5,8 @@
  * {@link org.diacaustic.map.PhotonStore} to {@link org.diacaustic.map.PhotonTree}, which
  * {@link org.diacaustic.map.PhotonMap} reads. Cells of light go from {@link org.diacaustic.map.CellSlice} to
  * {@link org.diacaustic.map.CellStore} to {@link org.diacaustic.map.CausticMesh}, which is asked about a
- * {@link org.diacaustic.map.Footprint}.
+ * {@link org.diacaustic.map.Footprint}. A mesh whose cells have kept their {@link org.diacaustic.map.CellSeed} can be asked
+ * about points exactly, by one who follows {@link org.diacaustic.map.LightPaths} for it.
  *
  * <ul>
  *   <li>[Thesis] H. A. Bailey, 1999; 4.5 to 4.8 for photon maps.
@@ -13,6 +14,7 @@
  *       photon mapping density estimation with constant kernel.
  *   <li>[Jensen 1996] H. W. Jensen, Global illumination using photon maps.
  *   <li>[Knaus and Zwicker 2011] C. Knaus, M. Zwicker, Progressive photon mapping: a probabilistic approach.
+ *   <li>[Mitchell and Hanrahan 1992] D. Mitchell, P. Hanrahan, Illumination from curved reflectors.
  *   <li>[Meyer et al. 2010] Q. Meyer, J. Süßmuth, G. Sußner, M. Stamminger, G. Greiner, On floating-point normal vectors.
  *   <li>[Roberts 2018] M. Roberts, The unreasonable effectiveness of quasirandom sequences.
  *   <li>[Silverman 1986] B. W. Silverman, Density estimation for statistics and data analysis.

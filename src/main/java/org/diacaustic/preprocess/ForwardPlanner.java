@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.diacaustic.light.Light;
 import org.diacaustic.light.LightPoint;
+import org.diacaustic.map.CellStore;
 import org.diacaustic.material.TransportMode;
 import org.diacaustic.math.Arithmetic;
 import org.diacaustic.math.Bounds;
@@ -25,6 +26,9 @@ import org.diacaustic.transport.PathRules;
 public final class ForwardPlanner {
     /** Bytes of memory that a photon may take all in, with the tree over it and what building that needs meanwhile. */
     private static final int BYTES_A_PHOTON = 48;
+
+    /** Bytes of memory that a cell may take all in, with its part of the mesh half as fine, while meshes are built. */
+    private static final int BYTES_A_CELL = 192;
 
     /** Below this fraction of its ray's flux, light is followed by chance, unless the settings follow everything. */
     private static final double ROULETTE_THROUGHPUT = 0.25;
@@ -105,15 +109,17 @@ public final class ForwardPlanner {
                 bounds.isEmpty() ? Vector3.ZERO : bounds.centre(),
                 !bounds.isEmpty() && bounds.radius() > 0 ? bounds.radius() : 1,
                 powerUnit > 0 ? Arithmetic.powerOfTwoNear(powerUnit) : 1,
-                capacity(),
+                capacity(map),
                 map,
                 estimator,
                 forward.passes(),
                 settings.maps());
     }
 
-    private static int capacity() {
-        return (int) Math.min(Integer.MAX_VALUE - 8, Runtime.getRuntime().maxMemory() / BYTES_A_PHOTON);
+    private static int capacity(MapName map) {
+        int bytes = map == MapName.CAUSTIC_MESH ? BYTES_A_CELL : BYTES_A_PHOTON;
+        int most = map == MapName.CAUSTIC_MESH ? CellStore.LARGEST_CAPACITY : Integer.MAX_VALUE - 8;
+        return (int) Math.min(most, Runtime.getRuntime().maxMemory() / bytes);
     }
 
     private List<Target> targets(boolean joins) {

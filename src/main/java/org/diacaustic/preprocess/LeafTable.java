@@ -27,6 +27,8 @@ final class LeafTable {
     private int rays;
     private int[] firstLeaf = new int[64];
     private double[] books = new double[64 * BOOKS];
+    /** Two numbers for each ray. */
+    private double[] aimed = new double[2 * 64];
 
     private int leaves;
     private long[] signature = new long[128];
@@ -51,11 +53,26 @@ final class LeafTable {
         if (rays + 1 >= firstLeaf.length) {
             firstLeaf = Arrays.copyOf(firstLeaf, 2 * firstLeaf.length);
             books = Arrays.copyOf(books, 2 * books.length);
+            aimed = Arrays.copyOf(aimed, 2 * aimed.length);
         }
         firstLeaf[rays] = leaves;
         firstLeaf[rays + 1] = leaves;
         Arrays.fill(books, rays * BOOKS, rays * BOOKS + BOOKS, 0);
         return rays++;
+    }
+
+    /** Notes at which place of its chart a ray was aimed. */
+    void aimed(int ray, double p, double q) {
+        aimed[2 * ray] = p;
+        aimed[2 * ray + 1] = q;
+    }
+
+    double aimedP(int ray) {
+        return aimed[2 * ray];
+    }
+
+    double aimedQ(int ray) {
+        return aimed[2 * ray + 1];
     }
 
     /** Books power of the last ray, all colours together, for a unit of light space. */
@@ -100,6 +117,11 @@ final class LeafTable {
 
     int endLeaf(int ray) {
         return firstLeaf[ray + 1];
+    }
+
+    /** Which way a leaf came, with its end. */
+    long signature(int leaf) {
+        return signature[leaf];
     }
 
     /** The leaf of a ray that came the same way as a given leaf, to a surface that goes on there; −1 if there is none. */

@@ -1,6 +1,7 @@
 package org.diacaustic.preprocess;
 
 import org.diacaustic.light.LightPoint;
+import org.diacaustic.map.CellSeed;
 
 /**
  * The base cells of a caustic mesh on one chart of one light point, and how far they may be cut. Rays are named by places
@@ -30,21 +31,17 @@ record MeshLattice(
         return 1 << depth;
     }
 
-    /** Aims the ray of a place. */
-    void aim(double x, double y, LightRay ray) {
-        chart.aim(p(x), q(y), ray);
+    /** How much of light space lies in a triangle of the chart, for the light's share of this point. */
+    double measure(CellSeed corners) {
+        return pointShare * chart.measure(corners.p0, corners.q0, corners.p1, corners.q1, corners.p2, corners.q2);
     }
 
-    /** How much of light space lies in a triangle of places, for the light's share of this point. */
-    double measure(double x0, double y0, double x1, double y1, double x2, double y2) {
-        return pointShare * chart.measure(p(x0), q(y0), p(x1), q(y1), p(x2), q(y2));
-    }
-
-    private double p(double x) {
+    /** Where on the chart a place is. */
+    double p(double x) {
         return x / ((double) columns * cellSize());
     }
 
-    private double q(double y) {
+    double q(double y) {
         return y / ((double) rows * cellSize());
     }
 }

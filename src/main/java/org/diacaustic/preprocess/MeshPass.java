@@ -7,6 +7,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.DoubleConsumer;
 import org.diacaustic.map.CellSlice;
 import org.diacaustic.map.CellStore;
+import org.diacaustic.map.LightPaths;
 import org.diacaustic.parallel.Workers;
 
 /**
@@ -23,8 +24,9 @@ public final class MeshPass {
     private final int pass;
     private final Workers workers;
     private final DoubleConsumer progress;
-    private final CellStore cells;
+    private CellStore cells;
     private final CellStore largeCells;
+    private List<MeshLattice> lattices = List.of();
     private final EnergyLedger ledger = new EnergyLedger();
     private final ForwardCounters counters = new ForwardCounters();
 
@@ -42,11 +44,28 @@ public final class MeshPass {
         this.largeCells = new CellStore(plan.origin(), plan.powerUnit(), plan.capacity());
     }
 
+    /**
+     * Has the pass keep with each cell where its light comes from, which takes twice the memory: the mesh can then be asked
+     * about single points exactly. To be called before the pass is run.
+     *
+     * <pre>{@code
+     * MeshPass pass = new MeshPass(plan, 0, workers, progress).keepingSeeds().run();
+     * CausticMesh mesh = CausticMesh.movedFrom(pass.cells(), workers);
+     * FootprintLookup lookup = mesh.lookup(pass.lightPaths());
+     * lookup.irradiance(point, irradiance);
+     * }</pre>
+     */
+    public MeshPass keepingSeeds() {
+        cells = CellStore.keepingSeeds(plan.origin(), plan.powerUnit(), plan.capacity());
+        return this;
+    }
+
     /** Runs the pass, once. */
     public MeshPass run() {
-        List<Patch> patches = new ArrayList<>();
-        for (MeshLattice lattice : new MeshSizing(plan, pass).lattices(workers, counters)) {
-            addPatches(lattice, patches);
+        lattices = new MeshSizing(plan, pass).lattices(workers, counters);
+        List<LatticePatch> patches = new ArrayList<>();
+        for (int chart = 0; chart < lattices.size(); chart++) {
+            addPatches(chart, patches);
         }
         AtomicInteger done = new AtomicInteger();
         for (int first = 0; first < patches.size() && !workers.stop().isSet(); first += PATCHES_A_ROUND) {
@@ -60,11 +79,13 @@ public final class MeshPass {
         return this;
     }
 
-    private static void addPatches(MeshLattice lattice, List<Patch> patches) {
+    private void addPatches(int chart, List<LatticePatch> patches) {
+        MeshLattice lattice = lattices.get(chart);
         for (int row = 0; row < lattice.rows(); row += PATCH) {
             for (int column = 0; column < lattice.columns(); column += PATCH) {
-                patches.add(new Patch(
+                patches.add(new LatticePatch(
                         lattice,
+                        chart,
                         column,
                         row,
                         Math.min(PATCH, lattice.columns() - column),
@@ -73,7 +94,7 @@ public final class MeshPass {
         }
     }
 
-    private void makeRound(List<Patch> patches, int firstNumber, Runnable done) {
+    private void makeRound(List<LatticePatch> patches, int firstNumber, Runnable done) {
         int count = patches.size();
         CellSlice[] slices = new CellSlice[count];
         CellSlice[] largeSlices = new CellSlice[count];
@@ -86,14 +107,9 @@ public final class MeshPass {
                 largeSlices[task] = largeCells.slice();
                 ledgers[task] = new EnergyLedger();
                 counts[task] = new ForwardCounters();
-                Patch patch = patches.get(task);
                 maker.make(
-                        patch.lattice,
+                        patches.get(task),
                         streams(firstNumber + task),
-                        patch.column,
-                        patch.row,
-                        patch.columns,
-                        patch.rows,
                         slices[task],
                         largeSlices[task],
                         ledgers[task],
@@ -121,6 +137,11 @@ public final class MeshPass {
         return largeCells;
     }
 
+    /** Follows the light of the pass along the ways of its cells, for one task. The pass must have been run. */
+    public LightPaths lightPaths() {
+        return new MeshLightPaths(lattices, new WayTracer(plan));
+    }
+
     public EnergyLedger ledger() {
         return ledger;
     }
@@ -128,7 +149,4 @@ public final class MeshPass {
     public ForwardCounters counters() {
         return counters;
     }
-
-    /** Some base cells of a lattice: what one task makes. */
-    private record Patch(MeshLattice lattice, int column, int row, int columns, int rows) {}
 }

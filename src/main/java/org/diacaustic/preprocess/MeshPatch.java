@@ -1,5 +1,6 @@
 package org.diacaustic.preprocess;
 
+import org.diacaustic.map.CellSeed;
 import org.diacaustic.map.CellSlice;
 import org.diacaustic.map.SurfacePoint;
 import org.diacaustic.math.Rgb;
@@ -27,6 +28,7 @@ final class MeshPatch {
     private final SurfacePoint b = new SurfacePoint();
     private final SurfacePoint c = new SurfacePoint();
     private final Rgb power = new Rgb();
+    private final CellSeed seed = new CellSeed();
     private MeshLattice lattice;
     private CellSlice cells;
     /** Null while the larger cells are made, which are no light of their own. */
@@ -41,49 +43,46 @@ final class MeshPatch {
     /**
      * Makes the cells of a patch.
      *
-     * @param seed of the places that are left to chance
-     * @param firstColumn even, as {@code firstRow}
-     * @param columns even, as {@code rows}
+     * @param streams of the places that are left to chance
      */
     void make(
-            MeshLattice on,
-            long seed,
-            int firstColumn,
-            int firstRow,
-            int columns,
-            int rows,
+            LatticePatch patch,
+            long streams,
             CellSlice fine,
             CellSlice coarse,
             EnergyLedger taskLedger,
             ForwardCounters counters) {
-        lattice = on;
+        lattice = patch.lattice();
+        seed.chart = patch.chart();
+        int endColumn = patch.column() + patch.columns();
+        int endRow = patch.row() + patch.rows();
         size = lattice.cellSize();
         leaves.clear();
         places.clear();
         tracer.startTask(leaves, counters);
         cells = fine;
         ledger = taskLedger;
-        for (int row = firstRow; row < firstRow + rows && !tracer.isStopped(); row++) {
-            for (int column = firstColumn; column < firstColumn + columns; column++) {
-                random.start(seed, row, column);
+        for (int row = patch.row(); row < endRow && !tracer.isStopped(); row++) {
+            for (int column = patch.column(); column < endColumn; column++) {
+                random.start(streams, row, column);
                 double x = (column + 0.25 + 0.5 * random.nextDouble()) * size;
                 double y = (row + 0.25 + 0.5 * random.nextDouble()) * size;
-                makeFan(column * size, row * size, size, x, y, trace(x, y), lattice.depth());
+                makeFan(column * size, row * size, size, trace(x, y), lattice.depth());
             }
         }
         cells = coarse;
         ledger = null;
-        for (int row = firstRow; row < firstRow + rows && !tracer.isStopped(); row += 2) {
-            for (int column = firstColumn; column < firstColumn + columns; column += 2) {
+        for (int row = patch.row(); row < endRow && !tracer.isStopped(); row += 2) {
+            for (int column = patch.column(); column < endColumn; column += 2) {
                 int x = (column + 1) * size;
                 int y = (row + 1) * size;
-                makeFan(column * size, row * size, 2 * size, x, y, rayAt(x, y), lattice.depth());
+                makeFan(column * size, row * size, 2 * size, rayAt(x, y), lattice.depth());
             }
         }
     }
 
     /** A cell with a ray inside. */
-    private void makeFan(int x, int y, int side, double insideX, double insideY, int inside, int depth) {
+    private void makeFan(int x, int y, int side, int inside, int depth) {
         int p = rayAt(x, y);
         int q = rayAt(x + side, y);
         int r = rayAt(x + side, y + side);
@@ -92,12 +91,10 @@ final class MeshPatch {
             quarter(x, y, side, depth);
             return;
         }
-        double endX = x + (double) side;
-        double endY = y + (double) side;
-        makeCells(p, q, inside, lattice.measure(x, y, endX, y, insideX, insideY));
-        makeCells(q, r, inside, lattice.measure(endX, y, endX, endY, insideX, insideY));
-        makeCells(r, s, inside, lattice.measure(endX, endY, x, endY, insideX, insideY));
-        makeCells(s, p, inside, lattice.measure(x, endY, x, y, insideX, insideY));
+        makeCells(p, q, inside);
+        makeCells(q, r, inside);
+        makeCells(r, s, inside);
+        makeCells(s, p, inside);
     }
 
     private void quarter(int x, int y, int side, int depth) {
@@ -117,10 +114,8 @@ final class MeshPatch {
             quarter(x, y, side, depth);
             return;
         }
-        double endX = x + (double) side;
-        double endY = y + (double) side;
-        makeCells(p, q, r, lattice.measure(x, y, endX, y, endX, endY));
-        makeCells(p, r, s, lattice.measure(x, y, endX, endY, x, endY));
+        makeCells(p, q, r);
+        makeCells(p, r, s);
     }
 
     /** The part of light from which on a cell is cut for it: as much power as all light has in the smallest cells. */
@@ -132,7 +127,14 @@ final class MeshPatch {
      * Makes triangles of the light that came the same way from all three corners, lines between those of two, and points of
      * what else there is.
      */
-    private void makeCells(int p, int q, int r, double measure) {
+    private void makeCells(int p, int q, int r) {
+        seed.p0 = leaves.aimedP(p);
+        seed.q0 = leaves.aimedQ(p);
+        seed.p1 = leaves.aimedP(q);
+        seed.q1 = leaves.aimedQ(q);
+        seed.p2 = leaves.aimedP(r);
+        seed.q2 = leaves.aimedQ(r);
+        double measure = lattice.measure(seed);
         book(p, q, r, measure);
         double third = measure / 3;
         for (int leaf = leaves.firstLeaf(p); leaf < leaves.endLeaf(p); leaf++) {
@@ -169,7 +171,8 @@ final class MeshPatch {
         if (second >= 0 && third >= 0) {
             leaves.place(third, c);
             leaves.addPower(third, measure, power);
-            cells.addTriangle(a, b, c, power);
+            seed.path = leaves.signature(leaf);
+            cells.addTriangle(a, b, c, power, seed);
         } else {
             cells.addTriangle(a, b, b, power);
         }
@@ -201,7 +204,11 @@ final class MeshPatch {
     }
 
     private int trace(double x, double y) {
-        lattice.aim(x, y, ray);
-        return tracer.trace(lattice.beam(), lattice.point(), ray, ray.measure / lattice.meanDensity());
+        double p = lattice.p(x);
+        double q = lattice.q(y);
+        lattice.chart().aim(p, q, ray);
+        int number = tracer.trace(lattice.beam(), lattice.point(), ray, ray.measure / lattice.meanDensity());
+        leaves.aimed(number, p, q);
+        return number;
     }
 }

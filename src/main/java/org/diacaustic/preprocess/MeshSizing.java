@@ -18,12 +18,12 @@ final class MeshSizing {
     private static final double RAYS_A_CELL = 2;
 
     /** The part of the rays that is for base cells, if the others find a use. */
-    private static final double BASE_SHARE = 0.4;
+    private static final double BASE_SHARE = 0.45;
 
     /** Soft light has no sharp edges that would need as many rays. */
     private static final double SOFT_IMPORTANCE = 1.0 / 8;
 
-    private static final int LARGEST_DEPTH = 6;
+    private static final int LARGEST_DEPTH = 10;
     private static final int MOST_COLUMNS = 1 << 14;
 
     private final ForwardPlan plan;
@@ -132,15 +132,22 @@ final class MeshSizing {
     private Size size(MeshPilot pilot, double rays, double allRays, SampleStream random) {
         double baseCells = Math.max(4, rays * BASE_SHARE / RAYS_A_CELL);
         double[] mixed = pilot.mixed(baseCells, LARGEST_DEPTH, allRays, random);
+        // A border that no sample has met may still run through the chart once; to be ready for it costs nothing.
+        double supposed = Math.max(mixed[0], 1 / Math.sqrt(baseCells));
+        double found = mixed[0];
+        double raysSupposed = RAYS_A_CELL;
+        double raysFound = RAYS_A_CELL;
         int depth = 0;
-        double raysABaseCell = RAYS_A_CELL;
-        while (depth < LARGEST_DEPTH
-                && baseCells * (raysABaseCell + RAYS_A_QUARTERING * mixed[depth]) <= rays
-                && mixed[depth] > 0) {
-            raysABaseCell += RAYS_A_QUARTERING * mixed[depth];
+        while (depth < LARGEST_DEPTH && baseCells * (raysSupposed + RAYS_A_QUARTERING * supposed) <= rays) {
+            raysSupposed += RAYS_A_QUARTERING * supposed;
+            raysFound += RAYS_A_QUARTERING * found;
             depth++;
+            // Along a border each level has at least twice as many mixed cells as that before.
+            double sampled = depth < LARGEST_DEPTH ? mixed[depth] : 0;
+            supposed = Math.max(sampled, 2 * supposed);
+            found = Math.max(sampled, 2 * found);
         }
-        return new Size(Math.max(4, rays / raysABaseCell), depth);
+        return new Size(Math.max(4, rays / raysFound), depth);
     }
 
     private interface BeamTask {

@@ -43,7 +43,7 @@ final class PixelFootprint {
     /** The part of a curved object's size within which light on it belongs to what is seen. */
     private static final double REACH = 1.0 / 64;
 
-    /** Small squares along the side of one that sees a surface end, or bend much. */
+    /** Small squares along the side of one that sees a surface end, or bend much, or hidden in part. */
     private static final int PARTS = 4;
 
     /** How far before and behind a small square light belongs to it, in sizes of what it sees. */
@@ -187,7 +187,6 @@ final class PixelFootprint {
 
     /** The mean over small squares of the pixel, each of which sees a surface of its own of the same object. */
     private void askParts(IlluminationMap.Lookup lookup, SurfacePoint at, Rgb irradiance) {
-        Shape shape = index.object(at.object).shape();
         double size = side;
         double x = left;
         double y = top;
@@ -198,7 +197,7 @@ final class PixelFootprint {
             left = x + i % PARTS * side;
             top = y + i / PARTS * side;
             camera.aim(left + 0.5 * side, top + 0.5 * side, lensU, lensV, probe);
-            if (meets(shape, at.object, at.front) && findOnPlane(partAt)) {
+            if (sees(at.object, at.front) && findOnPlane(partAt)) {
                 footprint.reach(PART_REACH * diagonal());
                 if (footprint.close()) {
                     lookup.irradiance(footprint, partAt, part);
@@ -288,13 +287,13 @@ final class PixelFootprint {
                 directions[3 * i + 2]);
     }
 
-    /** Finds out whether the surface ends within the square, or is curved. */
+    /** Finds out whether the surface ends within the square, is hidden in part, or curved. */
     private void lookAtShape(SurfacePoint at, Shape shape) {
         double size = diagonal();
         double farthest = 0;
         for (int i = 0; i < 4; i++) {
             aim(i, probe);
-            if (!meets(shape, at.object, at.front)) {
+            if (!sees(at.object, at.front)) {
                 isUneven = true;
                 return;
             }
@@ -322,11 +321,12 @@ final class PixelFootprint {
                 points[3 * i + 2] - points[3 * j + 2]);
     }
 
-    /** Whether the probe meets the shape on that side, and where. */
-    private boolean meets(Shape shape, int object, boolean front) {
-        if (!shape.intersect(probe)) {
+    /** Whether the probe sees the object's side before all others, and where. */
+    private boolean sees(int object, boolean front) {
+        if (index.nearest(probe, SceneIndex.NONE, 0) != object) {
             return false;
         }
+        Shape shape = index.object(object).shape();
         probeHit.take(probe);
         shape.complete(probe, probeHit);
         double cosine = probe.directionX * probeHit.normalX

@@ -8,7 +8,7 @@ import org.diacaustic.image.Exposure;
 import org.diacaustic.image.ImageFiles;
 import org.diacaustic.image.WholeFile;
 
-/** Puts a study into a folder: {@code study.json}, the reference, and every picture as PFM and, at one exposure, as PNG. */
+/** Puts a study into a folder: {@code study.json}, {@code error.svg} if there is an error to draw, the reference, and every picture as PFM and, at one exposure, as PNG. */
 final class StudyFiles {
     static final String REFERENCE = "reference.pfm";
 
@@ -42,9 +42,15 @@ final class StudyFiles {
                 ImageFiles.write(run.picture(), exposure, folder.resolve(name + ".png"));
             }
         }
+        if (ErrorChart.hasSomething(report.studies())) {
+            writeText(folder.resolve("error.svg"), new ErrorChart(report.studies()).svg());
+        }
         Path json = folder.resolve("study.json");
-        String text = new StudyJson(report).text();
-        WholeFile.write(json, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
+        writeText(json, new StudyJson(report).text());
         return json;
+    }
+
+    private static void writeText(Path file, String text) throws IOException {
+        WholeFile.write(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
     }
 }

@@ -9,7 +9,7 @@ final class SvgCanvas implements Canvas {
     /** @param title what the chart shows, for those who do not see it */
     SvgCanvas(int width, int height, String title) {
         append(
-                "<svg viewBox=\"0 0 %d %d\" role=\"img\" aria-label=\"%s\" font-size=\"10\" fill=\"%s\">",
+                "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" role=\"img\" aria-label=\"%s\" font-size=\"10\" fill=\"%s\">",
                 width, height, Html.escape(title), Ink.TEXT.webColor);
     }
 
@@ -36,6 +36,19 @@ final class SvgCanvas implements Canvas {
     @Override
     public void textAround(double x, double y, String text) {
         append("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">%s</text>", x, y, Html.escape(text));
+    }
+
+    /** A line from point to point. */
+    void line(double[] x, double[] y, double width, String color) {
+        StringBuilder points = new StringBuilder();
+        for (int i = 0; i < x.length; i++) {
+            points.append(String.format(Locale.ROOT, "%s%.1f,%.1f", i == 0 ? "" : " ", x[i], y[i]));
+        }
+        append("<polyline points=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"%.1f\"/>", points, color, width);
+    }
+
+    void dot(double x, double y, double radius, String color) {
+        append("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"%s\"/>", x, y, radius, color);
     }
 
     private void append(String format, Object... values) {
