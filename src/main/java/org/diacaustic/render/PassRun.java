@@ -1,9 +1,6 @@
 package org.diacaustic.render;
 
-import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.DoubleConsumer;
 import org.diacaustic.image.LinearImage;
 import org.diacaustic.map.CausticMesh;
@@ -26,17 +23,18 @@ import org.diacaustic.scene.MapName;
 final class PassRun {
     private final RenderPlan plan;
     private final Workers workers;
+    private final Tiles tiles;
     private final PassMean picture;
     private final Counters counters = new Counters();
     private final ForwardTotals forward = new ForwardTotals();
     /** Null if it is not kept. */
     private final OtherLight otherLight;
 
-    private final AtomicInteger tilesDone = new AtomicInteger();
     /** Null if no photons are kept. */
     private final MapBuilder builder;
 
     private int begun;
+    private int tilesDone;
     private double seconds;
 
     /**
@@ -57,6 +55,7 @@ final class PassRun {
         this.otherLight = otherLight;
         this.plan = plan;
         this.workers = new Workers(plan.forward().isPresent() ? threads : Math.min(threads, plan.tileCount()), stop);
+        this.tiles = new Tiles(plan);
         this.picture = new PassMean(
                 plan.scene().camera().width(), plan.scene().camera().height(), isMean, plan.estimatesError());
         this.builder = plan.forward()
@@ -87,21 +86,13 @@ final class PassRun {
             return;
         }
         long start = System.nanoTime();
-        List<TileRenderer> renderers = Collections.synchronizedList(new ArrayList<>());
-        workers.run(plan.tileCount(), () -> {
-            TileRenderer renderer = new TileRenderer(plan, light, pass, picture, otherLight);
-            renderers.add(renderer);
-            return number -> render(number, renderer, progress);
-        });
-        renderers.forEach(renderer -> counters.add(renderer.counters()));
-        seconds += seconds(start, System.nanoTime());
-    }
-
-    private void render(int number, TileRenderer renderer, RenderProgress progress) {
-        if (renderer.render(plan.scatteredTile(number), workers.stop())) {
-            tilesDone.incrementAndGet();
-            progress.tile();
+        List<TileRenderer> renderers =
+                tiles.render(() -> new TileRenderer(plan, light, pass, picture, otherLight), workers, progress);
+        for (TileRenderer renderer : renderers) {
+            counters.add(renderer.counters());
+            tilesDone += renderer.tilesDone();
         }
+        seconds += seconds(start, System.nanoTime());
     }
 
     /**
@@ -111,7 +102,7 @@ final class PassRun {
      * @param image of the run; it changes with further passes, so whoever goes on needs a copy
      */
     private Rendering rendering(int passes, LinearImage image) {
-        boolean wholePasses = tilesDone.get() == begun * plan.tileCount();
+        boolean wholePasses = tilesDone == begun * plan.tileCount();
         return new Rendering(
                 image,
                 picture.differences(),
@@ -119,7 +110,7 @@ final class PassRun {
                 counters,
                 forward,
                 workers.threads(),
-                tilesDone.get(),
+                tilesDone,
                 passes * plan.tileCount(),
                 seconds);
     }

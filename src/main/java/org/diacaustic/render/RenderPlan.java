@@ -227,19 +227,6 @@ public final class RenderPlan {
         return tilesAcross() * tilesDown();
     }
 
-    /** Tiles in an order that jumps over the picture, so that the time left can be told from those that are done. */
-    int scatteredTile(int number) {
-        int stride = (int) (tileCount() * 0.618) | 1;
-        while (gcd(stride, tileCount()) != 1) {
-            stride += 2;
-        }
-        return (int) ((long) number * stride % tileCount());
-    }
-
-    private static int gcd(int a, int b) {
-        return b == 0 ? a : gcd(b, a % b);
-    }
-
     int tilesAcross() {
         return (scene.camera().width() + TILE_SIZE - 1) / TILE_SIZE;
     }

@@ -18,6 +18,7 @@ final class TileRenderer {
     private final Rgb otherSum = new Rgb();
     private final Rgb mapSum = new Rgb();
     private final Rgb difference = new Rgb();
+    private int tilesDone;
 
     /**
      * @param pass which of the passes that are averaged this is
@@ -39,6 +40,11 @@ final class TileRenderer {
         return tracer.counters();
     }
 
+    /** Tiles that were rendered to their end. */
+    int tilesDone() {
+        return tilesDone;
+    }
+
     /**
      * Renders one tile.
      *
@@ -58,6 +64,7 @@ final class TileRenderer {
                 }
             }
         }
+        tilesDone++;
         return true;
     }
 
