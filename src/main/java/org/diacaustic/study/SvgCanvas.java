@@ -51,6 +51,24 @@ final class SvgCanvas implements Canvas {
         append("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"%s\"/>", x, y, radius, color);
     }
 
+    /** What follows is measured in units of its own from a rectangle's top left corner, and seen within the rectangle only. */
+    void beginClip(double x, double y, double width, double height, double unit) {
+        append(
+                "<svg x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" viewBox=\"0 0 %.1f %.1f\">",
+                x, y, width, height, width / unit, height / unit);
+    }
+
+    void endClip() {
+        append("</svg>");
+    }
+
+    /** Thin lines along a path in SVG's own words. */
+    void path(String path, String color) {
+        append(
+                "<path d=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"0.5\" vector-effect=\"non-scaling-stroke\"/>",
+                path, color);
+    }
+
     private void append(String format, Object... values) {
         out.append(String.format(Locale.ROOT, format, values)).append('\n');
     }
