@@ -14,6 +14,7 @@ import org.diacaustic.scenefile.Problems;
 import org.diacaustic.scenefile.SceneDocument;
 import org.diacaustic.scenefile.SceneFile;
 import org.diacaustic.scenefile.SceneReader;
+import org.diacaustic.study.CellsChart;
 import org.diacaustic.study.Reference;
 import org.diacaustic.study.ReferenceBudget;
 import org.diacaustic.study.ReferenceRender;
@@ -102,6 +103,13 @@ final class StudyCommand implements Callable<Integer> {
                     "Writes scenes that are too large to be kept with the others into a folder, and does no more.")
     private Path scenes;
 
+    @Option(
+            names = "--cells",
+            paramLabel = "N",
+            description =
+                    "Draws a caustic mesh of about so many light rays, such as 500, as DIR/cells.svg, and does no more.")
+    private Long cellRays;
+
     @Option(names = "--size", paramLabel = "WxH", converter = PixelSize.Converter.class, description = "In pixels.")
     private PixelSize size;
 
@@ -140,9 +148,12 @@ final class StudyCommand implements Callable<Integer> {
         }
         checkOptions();
         requireFolder(output);
+        if (cellRays != null) {
+            return drawCells();
+        }
         List<Technique> chosen = techniques == null ? Techniques.known() : techniques;
         checkScene(chosen);
-        int workers = threads == 0 ? Runtime.getRuntime().availableProcessors() : threads;
+        int workers = workers();
         SceneSource source = extra -> read(extra, new Problems());
         Reference reference = reference(source, workers);
         Files.createDirectories(output);
@@ -152,6 +163,17 @@ final class StudyCommand implements Callable<Integer> {
         System.out.print(report.table());
         System.out.println(written + ": written, with the pictures beside it");
         return ExitCode.DONE;
+    }
+
+    private Integer drawCells() throws IOException {
+        checkScene(List.of());
+        SceneSource source = extra -> read(extra, new Problems());
+        System.out.println(CellsChart.write(source, cellRays, workers(), output) + ": written");
+        return ExitCode.DONE;
+    }
+
+    private int workers() {
+        return threads == 0 ? Runtime.getRuntime().availableProcessors() : threads;
     }
 
     private static void requireFolder(Path folder) {
@@ -170,6 +192,9 @@ final class StudyCommand implements Callable<Integer> {
         }
         if (rays.stream().anyMatch(count -> count < 1)) {
             throw new ParameterException(spec.commandLine(), "--rays must be at least 1, but are " + rays);
+        }
+        if (cellRays != null && cellRays < 1) {
+            throw new ParameterException(spec.commandLine(), "--cells must be at least 1, but is " + cellRays);
         }
         if (referenceRays != null && referenceRays < 1) {
             throw new ParameterException(

@@ -2,6 +2,7 @@ package org.diacaustic.map;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import org.diacaustic.math.Vector3;
 
 /**
@@ -101,6 +102,29 @@ public final class CellStore {
     /** The number of cells stored. */
     public int size() {
         return chunks.isEmpty() ? 0 : (chunks.size() - 1) * CellChunk.SIZE + used;
+    }
+
+    /**
+     * Reads a cell.
+     *
+     * @throws IndexOutOfBoundsException if there is none of that number
+     */
+    public void read(int cell, Cell out) {
+        Objects.checkIndex(cell, size());
+        CellChunk chunk = chunkOf(cell);
+        int place = cell & CellChunk.SIZE - 1;
+        for (int i = 0; i < 9; i++) {
+            double offset = i < 3 ? 0 : chunk.numbers[9 * place + i - 3];
+            out.vertices[i] = origin.component(i % 3) + chunk.vertices[3 * place + i % 3] + offset;
+        }
+        int i = 9 * place + 6;
+        out.power
+                .set(chunk.numbers[i], chunk.numbers[i + 1], chunk.numbers[i + 2])
+                .scale(powerUnit);
+        int receiver = chunk.tags[2 * place + 1];
+        out.object = receiver >>> 1;
+        out.front = (receiver & 1) != 0;
+        out.hasSeed = keepsSeeds && chunk.seeds.read(place, out.seed);
     }
 
     /** The number of cells left out because their numbers were not finite or their power negative. */

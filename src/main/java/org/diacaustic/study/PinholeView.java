@@ -51,24 +51,37 @@ final class PinholeView {
      * @return the number of the pixel, row by row from the top left, or −1 if the point is not in the picture
      */
     int aim(double x, double y, double z, Ray ray) {
+        double column = Math.floor(column(x, y, z));
+        double row = Math.floor(row(x, y, z));
+        if (!(column >= 0 && column < camera.width() && row >= 0 && row < camera.height())) {
+            return -1;
+        }
+        double dx = x - from.x();
+        double dy = y - from.y();
+        double dz = z - from.z();
+        double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        ray.set(from.x(), from.y(), from.z(), dx / length, dy / length, dz / length);
+        return (int) row * camera.width() + (int) column;
+    }
+
+    /** Where a point is seen, in pixels from the left; not a number if it is not before the eye. */
+    double column(double x, double y, double z) {
+        return seen(x, y, z, across);
+    }
+
+    /** The same from the top. */
+    double row(double x, double y, double z) {
+        return seen(x, y, z, down);
+    }
+
+    private double seen(double x, double y, double z, Vector3 step) {
         double dx = x - from.x();
         double dy = y - from.y();
         double dz = z - from.z();
         double depth = dx * forward.x() + dy * forward.y() + dz * forward.z();
-        if (!(depth > 0)) {
-            return -1;
-        }
-        double px = dx / depth - corner.x();
-        double py = dy / depth - corner.y();
-        double pz = dz / depth - corner.z();
-        double column = Math.floor(along(px, py, pz, across));
-        double row = Math.floor(along(px, py, pz, down));
-        if (!(column >= 0 && column < camera.width() && row >= 0 && row < camera.height())) {
-            return -1;
-        }
-        double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
-        ray.set(from.x(), from.y(), from.z(), dx / length, dy / length, dz / length);
-        return (int) row * camera.width() + (int) column;
+        return depth > 0
+                ? along(dx / depth - corner.x(), dy / depth - corner.y(), dz / depth - corner.z(), step)
+                : Double.NaN;
     }
 
     private static double along(double x, double y, double z, Vector3 step) {

@@ -9,7 +9,7 @@ final class SvgCanvas implements Canvas {
     /** @param title what the chart shows, for those who do not see it */
     SvgCanvas(int width, int height, String title) {
         append(
-                "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" role=\"img\" aria-label=\"%s\" font-size=\"10\" fill=\"%s\">",
+                "<svg viewBox=\"0 0 %d %d\" role=\"img\" aria-label=\"%s\" font-size=\"10\" fill=\"%s\">",
                 width, height, Html.escape(title), Ink.TEXT.webColor);
     }
 
@@ -51,8 +51,31 @@ final class SvgCanvas implements Canvas {
         append("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"%s\"/>", x, y, radius, color);
     }
 
+    /** What follows is measured in units of its own from a rectangle's top left corner, and seen within the rectangle only. */
+    void beginClip(double x, double y, double width, double height, double unit) {
+        append(
+                "<svg x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" viewBox=\"0 0 %.1f %.1f\">",
+                x, y, width, height, width / unit, height / unit);
+    }
+
+    void endClip() {
+        append("</svg>");
+    }
+
+    /** Thin lines along a path in SVG's own words. */
+    void path(String path, String color) {
+        append(
+                "<path d=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"0.5\" vector-effect=\"non-scaling-stroke\"/>",
+                path, color);
+    }
+
     private void append(String format, Object... values) {
         out.append(String.format(Locale.ROOT, format, values)).append('\n');
+    }
+
+    /** The drawing as a file of its own; as {@link #toString} it is a part of a page. */
+    String file() {
+        return toString().replaceFirst("<svg ", "<svg xmlns=\"http://www.w3.org/2000/svg\" ");
     }
 
     @Override

@@ -24,6 +24,7 @@ class StudyCommandTest {
         refused(2, "missing required parameter: SCENE; see", "study", "-o", out);
         refused(2, "missing required option -o DIR", "study", scene);
         refused(2, "--rays must be at least 1", "study", scene, "-o", out, "--rays", "100,0");
+        refused(2, "--cells must be at least 1", "study", scene, "-o", out, "--cells", "0");
         refused(2, "--reference-rays must be at least 1", "study", scene, "-o", out, "--reference-rays", "0");
         refused(2, "expected a time such as 60s, found '1h'", "study", scene, "-o", out, "--reference-time", "1h");
         refused(2, "positive time", "study", scene, "-o", out, "--reference-time", "0s");
@@ -154,6 +155,15 @@ class StudyCommandTest {
         assertThat(result.code()).isZero();
         assertThat(result.out()).startsWith(folder.resolve("water-sheet.yaml") + ": written");
         assertThat(folder.resolve("water-sheet.obj")).exists();
+    }
+
+    @Test
+    void study_givenCells_drawsThemAndDoesNoMore(@TempDir Path folder) throws IOException {
+        Path out = folder.resolve("out");
+        Cli.Result result = Cli.run("study", SmallScene.in(folder), "-o", out, "--cells", 100);
+        assertThat(result.code()).isZero();
+        assertThat(result.out()).isEqualTo(out.resolve("cells.svg") + ": written" + System.lineSeparator());
+        assertThat(out.toFile().list()).containsExactly("cells.svg");
     }
 
     private static Cli.Result study(Path scene, Path out, Object... more) {
