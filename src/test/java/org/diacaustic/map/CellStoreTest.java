@@ -15,7 +15,6 @@ class CellStoreTest {
     private final SurfacePoint a = new SurfacePoint();
     private final SurfacePoint b = new SurfacePoint();
     private final SurfacePoint c = new SurfacePoint();
-    private final SurfacePoint[] corners = {a, b, c};
     private final Rgb power = new Rgb();
 
     @Test
@@ -155,19 +154,23 @@ class CellStoreTest {
 
     /** A triangle at (10^6 + i + 0.1, 0, 0): half a unit along x, a quarter down z. */
     private void set(int i) {
-        for (SurfacePoint point : corners) {
-            point.x = 1e6 + i + 0.1;
-            point.y = 0;
-            point.z = 0;
-            point.normalX = 0;
-            point.normalY = 0;
-            point.normalZ = 1;
-            point.object = i % 7;
-            point.front = i % 2 == 0;
-        }
+        set(a, i);
+        set(b, i);
+        set(c, i);
         c.normalZ = 0;
         b.x += 0.5;
         c.z -= 0.25;
         power.set(0x1p-10 * i, 0x1p-9 * i, 0);
+    }
+
+    private static void set(SurfacePoint point, int i) {
+        point.x = 1e6 + i + 0.1;
+        point.y = 0;
+        point.z = 0;
+        point.normalX = 0;
+        point.normalY = 0;
+        point.normalZ = 1;
+        point.object = i % 7;
+        point.front = i % 2 == 0;
     }
 }
