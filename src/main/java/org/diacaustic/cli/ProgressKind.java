@@ -64,7 +64,8 @@ enum ProgressKind {
         private final PrintStream out;
         private final String format;
         private final String end;
-        private final long start = System.nanoTime();
+        private long start = System.nanoTime();
+        private int lastDone;
         private int lastStep;
 
         ProgressLine(PrintStream out, String format, String end) {
@@ -75,6 +76,11 @@ enum ProgressKind {
 
         @Override
         public void progressed(int done, int total) {
+            if (done < lastDone) {
+                // Another round: what the last one took says nothing of it.
+                start = System.nanoTime();
+            }
+            lastDone = done;
             int steps = end.isEmpty() ? 10 : 100;
             int step = (int) ((long) done * steps / total);
             if (step == lastStep) {

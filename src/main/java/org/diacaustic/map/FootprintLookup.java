@@ -20,7 +20,8 @@ public final class FootprintLookup implements IlluminationMap.Lookup {
     /**
      * Sets the density of light at the point, in W·m⁻²: power over area, summed over all triangles that the point is in. It is
      * exact for the mesh, but where light is folded the mean over even a small footprint is another, for there the
-     * density is very uneven. Points of power are left out. Not a number where it is asked with what is not finite.
+     * density is very uneven. With {@link LightPaths}, a triangle's density is replaced by that of its ray which lands at the point, where
+     * one is found. Points of power are left out. Not a number where it is asked with what is not finite.
      */
     @Override
     public void irradiance(SurfacePoint at, Rgb irradiance) {

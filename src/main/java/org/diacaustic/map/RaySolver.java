@@ -12,7 +12,7 @@ final class RaySolver {
     private static final double MARGIN = 0.25;
 
     /** The step of the differences, in parts of the cell: between the errors of curvature and of rounding. */
-    private static final double STEP = 0x1p-8;
+    private static final double STEP = 0x1p-11;
 
     /** Rays nearer than this to the one that is looked for have its density, in parts of the cell. */
     private static final double NEAR_ENOUGH = 0x1p-20;

@@ -12,6 +12,9 @@ final class MeshRounds extends Rounds {
     /** As above if time is short: it is measured first. */
     private static final long FIRST_RAYS_IN_TIME = 1 << 12;
 
+    /** With fewer rays an error may be small because nothing was found, and is not believed. */
+    private static final long TRUSTED_RAYS = 1 << 14;
+
     private static final long MOST_RAYS = 1 << 30;
 
     /** A round with fewer times the rays of the last is not worth its time. */
@@ -21,7 +24,7 @@ final class MeshRounds extends Rounds {
     private static final double CAREFUL = 0.85;
 
     /** A round that would be so many times the last is preceded by one between them, as so far nobody can see. */
-    private static final double FAR = 32;
+    private static final double FAR = 16;
 
     /** As above, after the first round, which tells least. */
     private static final double FAR_AT_FIRST = 4;
@@ -71,7 +74,7 @@ final class MeshRounds extends Rounds {
             if (!rendering.isComplete()) {
                 return signal.end();
             }
-            if (goal.isReachedBy(rendering.errorEstimate())) {
+            if (rays >= TRUSTED_RAYS && goal.isReachedBy(rendering.errorEstimate())) {
                 return End.DONE;
             }
             if (goal.error().isPresent() && forecast.isStuck()) {
@@ -80,7 +83,7 @@ final class MeshRounds extends Rounds {
             long possible = Math.min(MOST_RAYS, raysInMemory());
             long inTime = raysInTime();
             long wanted = goal.error().isPresent()
-                    ? forecast.raysForError(goal.error().getAsDouble())
+                    ? Math.max(TRUSTED_RAYS, forecast.raysForError(goal.error().getAsDouble()))
                     : Long.MAX_VALUE;
             long next = Math.min(wanted, Math.min(possible, inTime));
             if (next < LEAST_GROWTH * rays) {
@@ -92,8 +95,10 @@ final class MeshRounds extends Rounds {
 
     private long firstRays() {
         long given = plan.settings().forward().rays();
-        long first = given > 0 ? given : FIRST_RAYS;
-        return goal.deadline().isPresent() ? Math.min(first, FIRST_RAYS_IN_TIME) : first;
+        if (goal.deadline().isPresent()) {
+            return given > 0 ? Math.min(given, FIRST_RAYS_IN_TIME) : FIRST_RAYS_IN_TIME;
+        }
+        return given > 0 ? Math.max(given, TRUSTED_RAYS) : FIRST_RAYS;
     }
 
     private Rendering render(long rays) {

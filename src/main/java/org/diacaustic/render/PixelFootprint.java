@@ -49,27 +49,23 @@ final class PixelFootprint {
     /** How far before and behind a small square light belongs to it, in sizes of what it sees. */
     private static final double PART_REACH = 2;
 
+    /** As above for a small square, of the curved object's. */
+    private static final double REACH_OF_PART = 1.0 / 8;
+
     private final Camera camera;
     private final SceneIndex index;
     private final RenderPlan plan;
     private final PathReplay replay;
+    private final PixelSquare square;
+    private final PixelSquare partSquare;
     private final Footprint footprint = new Footprint();
     private final Footprint otherHalf = new Footprint();
     private final Ray corner = new Ray();
     private final Ray probe = new Ray();
     private final Hit probeHit = new Hit();
-    private final double[] points = new double[12];
-    private final double[] directions = new double[12];
     private final SurfacePoint partAt = new SurfacePoint();
     private final Rgb part = new Rgb();
     private long[] trail = new long[16];
-    private double left;
-    private double top;
-    private double side;
-    private double sampleX;
-    private double sampleY;
-    private double lensU;
-    private double lensV;
 
     /** Whether the footprint consists of two triangles. */
     private boolean isHalved;
@@ -85,14 +81,13 @@ final class PixelFootprint {
         this.camera = plan.scene().camera();
         this.index = plan.index();
         this.replay = new PathReplay(index, plan.eyeRules(0));
+        this.square = new PixelSquare(camera);
+        this.partSquare = new PixelSquare(camera);
     }
 
     /** The eye ray that is followed now; see {@link Camera#aim}. */
     void startSample(double x, double y, double onLensU, double onLensV) {
-        sampleX = x;
-        sampleY = y;
-        lensU = onLensU;
-        lensV = onLensV;
+        square.startSample(x, y, onLensU, onLensV);
     }
 
     /** Notes the way of the eye ray: at this depth it had this signature. */
@@ -119,48 +114,41 @@ final class PixelFootprint {
         isHalved = false;
         isUneven = false;
         isLost = false;
-        left = Math.floor(sampleX);
-        top = Math.floor(sampleY);
-        side = 1;
+        square.takePixel();
         if (depth > 0 && weight < WORTHWHILE) {
             findAbout(ray, pathLength, at);
             return true;
         }
-        if (depth == 0 ? findDirect(at) : findOverWay(depth, signature, at)) {
+        if (find(depth, signature, at)) {
             return true;
         }
-        side = PART;
-        left = sampleX - side / 2;
-        top = sampleY - side / 2;
-        if (!(depth == 0 ? findDirect(at) : findOverWay(depth, signature, at))) {
+        square.takeAround(PART);
+        if (!find(depth, signature, at)) {
             findAbout(ray, pathLength, at);
         }
         return false;
     }
 
+    private boolean find(int depth, long signature, SurfacePoint at) {
+        return depth == 0 ? findDirect(at) : findOverWay(depth, signature, at);
+    }
+
     /** Takes a square as large as if the eye had seen it straight from as far away. */
     private void findAbout(Ray ray, double pathLength, SurfacePoint at) {
-        camera.aim(left, top, lensU, lensV, corner);
-        double x = corner.directionX;
-        double y = corner.directionY;
-        double z = corner.directionZ;
-        camera.aim(left + side, top + side, lensU, lensV, corner);
-        double angle = Arithmetic.length(corner.directionX - x, corner.directionY - y, corner.directionZ - z);
-        double half = 0.5 * pathLength * angle;
+        double half = 0.5 * pathLength * square.angle(corner);
         Vector3 direction = new Vector3(ray.directionX, ray.directionY, ray.directionZ);
         Vector3 u = direction.perpendicular();
         Vector3 v = direction.cross(u);
         double cosine = Math.min(-LEAST_COSINE, alongNormal(at, direction.x(), direction.y(), direction.z()));
         isHalved = false;
-        isUneven = false;
         for (int i = 0; i < 4; i++) {
             Vector3 off = (i % 2 == 0 ? u : v).times(i < 2 ? half : -half);
             Vector3 onPlane = off.minus(direction.times(alongNormal(at, off.x(), off.y(), off.z()) / cosine));
-            setCorner(i, ray, at.x + onPlane.x(), at.y + onPlane.y(), at.z + onPlane.z());
+            square.arrive(i, ray, at.x + onPlane.x(), at.y + onPlane.y(), at.z + onPlane.z());
         }
         isLost = !closeWhole(at);
         if (!isLost) {
-            footprint.reach(PART_REACH * diagonal());
+            footprint.reach(PART_REACH * square.diagonal());
             isLost = !footprint.close();
         }
     }
@@ -187,18 +175,14 @@ final class PixelFootprint {
 
     /** The mean over small squares of the pixel, each of which sees a surface of its own of the same object. */
     private void askParts(IlluminationMap.Lookup lookup, SurfacePoint at, Rgb irradiance) {
-        double size = side;
-        double x = left;
-        double y = top;
-        side /= PARTS;
+        double reach = REACH_OF_PART * reach(index.object(at.object).shape());
         int found = 0;
         irradiance.set(0, 0, 0);
         for (int i = 0; i < PARTS * PARTS; i++) {
-            left = x + i % PARTS * side;
-            top = y + i / PARTS * side;
-            camera.aim(left + 0.5 * side, top + 0.5 * side, lensU, lensV, probe);
-            if (sees(at.object, at.front) && findOnPlane(partAt)) {
-                footprint.reach(PART_REACH * diagonal());
+            partSquare.takePart(square, i, PARTS);
+            partSquare.aimAtMiddle(probe);
+            if (sees(at.object, at.front) && findOnPlane(partSquare, partAt)) {
+                footprint.reach(Math.max(reach, PART_REACH * partSquare.diagonal()));
                 if (footprint.close()) {
                     lookup.irradiance(footprint, partAt, part);
                     irradiance.add(part);
@@ -206,9 +190,6 @@ final class PixelFootprint {
                 }
             }
         }
-        side = size;
-        left = x;
-        top = y;
         if (found == 0) {
             lookup.irradiance(at, irradiance);
         } else {
@@ -216,25 +197,19 @@ final class PixelFootprint {
         }
     }
 
-    private void aim(int corner, Ray ray) {
-        double x = left + (corner == 1 || corner == 2 ? side : 0);
-        double y = top + (corner >= 2 ? side : 0);
-        camera.aim(x, y, lensU, lensV, ray);
-    }
-
     /** What the pixel's corners see of the surface itself. */
     private boolean findDirect(SurfacePoint at) {
-        if (!findOnPlane(at)) {
+        if (!findOnPlane(square, at)) {
             return false;
         }
-        lookAtShape(at, index.object(at.object).shape());
+        lookAtSurface(at);
         return isUneven || footprint.close();
     }
 
-    /** What the corners see of the plane in which the surface lies at a point. */
-    private boolean findOnPlane(SurfacePoint at) {
+    /** What the corners of a square see of the plane in which the surface lies at a point. */
+    private boolean findOnPlane(PixelSquare of, SurfacePoint at) {
         for (int i = 0; i < 4; i++) {
-            aim(i, corner);
+            of.aim(i, corner);
             double towards = alongNormal(at, corner.directionX, corner.directionY, corner.directionZ);
             double x = at.x - corner.originX;
             double y = at.y - corner.originY;
@@ -243,12 +218,11 @@ final class PixelFootprint {
             if (!(t > 0 && t < FARTHEST * Arithmetic.length(x, y, z))) {
                 return false;
             }
-            setCorner(i, corner, corner.pointX(t), corner.pointY(t), corner.pointZ(t));
+            of.arrive(i, corner, corner.pointX(t), corner.pointY(t), corner.pointZ(t));
         }
         footprint.begin(at);
-        addCorners(footprint);
-        footprint.perspective(
-                corner.originX, corner.originY, corner.originZ, camera.forward(), side * side * camera.pixelArea());
+        of.addCorners(footprint);
+        footprint.perspective(corner.originX, corner.originY, corner.originZ, camera.forward(), of.pictureArea());
         return footprint.close();
     }
 
@@ -256,69 +230,31 @@ final class PixelFootprint {
         return at.normalX * x + at.normalY * y + at.normalZ * z;
     }
 
-    private void setCorner(int i, Ray ray, double x, double y, double z) {
-        points[3 * i] = x;
-        points[3 * i + 1] = y;
-        points[3 * i + 2] = z;
-        directions[3 * i] = ray.directionX;
-        directions[3 * i + 1] = ray.directionY;
-        directions[3 * i + 2] = ray.directionZ;
-    }
-
     private boolean closeWhole(SurfacePoint at) {
         footprint.begin(at);
-        addCorners(footprint);
+        square.addCorners(footprint);
         return footprint.close();
     }
 
-    private void addCorners(Footprint to) {
-        for (int i = 0; i < 4; i++) {
-            addCorner(to, i);
-        }
-    }
-
-    private void addCorner(Footprint to, int i) {
-        to.addCorner(
-                points[3 * i],
-                points[3 * i + 1],
-                points[3 * i + 2],
-                directions[3 * i],
-                directions[3 * i + 1],
-                directions[3 * i + 2]);
-    }
-
     /** Finds out whether the surface ends within the square, is hidden in part, or curved. */
-    private void lookAtShape(SurfacePoint at, Shape shape) {
-        double size = diagonal();
+    private void lookAtSurface(SurfacePoint at) {
+        double size = square.diagonal();
         double farthest = 0;
         for (int i = 0; i < 4; i++) {
-            aim(i, probe);
-            if (!sees(at.object, at.front)) {
+            square.aim(i, probe);
+            if (!sees(at.object, at.front)
+                    || alongNormal(at, partAt.normalX, partAt.normalY, partAt.normalZ)
+                            <= PhotonFilter.TWO_SIDED_NORMAL.cosine()) {
                 isUneven = true;
                 return;
             }
-            double cosine = at.normalX * partAt.normalX + at.normalY * partAt.normalY + at.normalZ * partAt.normalZ;
-            double off = Math.abs(alongNormal(at, partAt.x - at.x, partAt.y - at.y, partAt.z - at.z));
-            farthest = cosine > PhotonFilter.TWO_SIDED_NORMAL.cosine()
-                    ? Math.max(farthest, off)
-                    : Double.POSITIVE_INFINITY;
+            double off = alongNormal(at, partAt.x - at.x, partAt.y - at.y, partAt.z - at.z);
+            farthest = Math.max(farthest, Math.abs(off));
         }
-        if (farthest > SMOOTH * size) {
-            isUneven = true;
-        } else if (farthest > FLAT * size) {
-            footprint.reach(reach(shape));
+        isUneven = farthest > SMOOTH * size;
+        if (farthest > FLAT * size) {
+            footprint.reach(reach(index.object(at.object).shape()));
         }
-    }
-
-    private double diagonal() {
-        return Math.max(distance(0, 2), distance(1, 3));
-    }
-
-    private double distance(int i, int j) {
-        return Arithmetic.length(
-                points[3 * i] - points[3 * j],
-                points[3 * i + 1] - points[3 * j + 1],
-                points[3 * i + 2] - points[3 * j + 2]);
     }
 
     /** Whether the probe sees the object's side before all others, and where. */
@@ -352,15 +288,15 @@ final class PixelFootprint {
     private boolean findOverWay(int depth, long signature, SurfacePoint at) {
         double farthest = 0;
         for (int i = 0; i < 4; i++) {
-            aim(i, replay.ray());
+            square.aim(i, replay.ray());
             if (!replay.follow(plan.mediaAtEye(), trail, depth, signature)) {
                 return false;
             }
             Hit place = replay.place();
             farthest = Math.max(farthest, Math.abs(alongNormal(at, place.x - at.x, place.y - at.y, place.z - at.z)));
-            setCorner(i, replay.ray(), place.x, place.y, place.z);
+            square.arrive(i, replay.ray(), place.x, place.y, place.z);
         }
-        boolean isFlat = farthest <= FLAT * diagonal();
+        boolean isFlat = farthest <= FLAT * square.diagonal();
         double reach = isFlat ? 0 : reach(index.object(at.object).shape());
         if (closeWhole(at)) {
             footprint.reach(reach);
@@ -373,9 +309,7 @@ final class PixelFootprint {
 
     private boolean closeHalf(Footprint half, SurfacePoint at, int corner, double reach) {
         half.begin(at);
-        addCorner(half, 0);
-        addCorner(half, corner);
-        addCorner(half, 2);
+        square.addHalf(half, corner);
         half.reach(reach);
         return half.close();
     }

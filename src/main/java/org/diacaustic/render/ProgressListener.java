@@ -8,7 +8,8 @@ package org.diacaustic.render;
 public interface ProgressListener {
 
     /**
-     * @param done parts finished, growing by 1 from call to call
+     * @param done parts finished, growing by 1 from call to call; from 1 again at every round of a {@link Refinement} of a mesh
+     *     without a deadline
      * @param total parts in all
      */
     void progressed(int done, int total);

@@ -96,8 +96,7 @@ final class RayForecast {
         if (rounds.size() == 1) {
             return FIRST_SLOPE;
         }
-        Measured before = rounds.get(rounds.size() - 2);
-        double slope = StrictMath.log(last().error / before.error) / StrictMath.log((double) last().rays / before.rays);
+        double slope = slope(before().error, last().error);
         // What is not a number, after pictures without light, is no progress.
         return slope < FLATTEST ? Math.max(STEEPEST, slope) : FLATTEST;
     }

@@ -113,7 +113,7 @@ public final class CellsChart {
         canvas.outline(SIDE + 2.0 * GAP, TOP, SIDE, SIDE, Ink.GRID);
         drawLightSpace(canvas);
         drawLanded(canvas);
-        return canvas.toString();
+        return canvas.file();
     }
 
     /** A triangle that light left in many ways is drawn once. */

@@ -86,7 +86,7 @@ final class ErrorChart {
             }
         }
         drawNames(canvas);
-        return canvas.toString();
+        return canvas.file();
     }
 
     private static double[] places(double[] values, LogAxis axis) {

@@ -9,7 +9,7 @@ final class SvgCanvas implements Canvas {
     /** @param title what the chart shows, for those who do not see it */
     SvgCanvas(int width, int height, String title) {
         append(
-                "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" role=\"img\" aria-label=\"%s\" font-size=\"10\" fill=\"%s\">",
+                "<svg viewBox=\"0 0 %d %d\" role=\"img\" aria-label=\"%s\" font-size=\"10\" fill=\"%s\">",
                 width, height, Html.escape(title), Ink.TEXT.webColor);
     }
 
@@ -71,6 +71,11 @@ final class SvgCanvas implements Canvas {
 
     private void append(String format, Object... values) {
         out.append(String.format(Locale.ROOT, format, values)).append('\n');
+    }
+
+    /** The drawing as a file of its own; as {@link #toString} it is a part of a page. */
+    String file() {
+        return toString().replaceFirst("<svg ", "<svg xmlns=\"http://www.w3.org/2000/svg\" ");
     }
 
     @Override

@@ -15,6 +15,7 @@ class CellStoreTest {
     private final SurfacePoint a = new SurfacePoint();
     private final SurfacePoint b = new SurfacePoint();
     private final SurfacePoint c = new SurfacePoint();
+    private final SurfacePoint[] corners = {a, b, c};
     private final Rgb power = new Rgb();
 
     @Test
@@ -154,7 +155,7 @@ class CellStoreTest {
 
     /** A triangle at (10^6 + i + 0.1, 0, 0): half a unit along x, a quarter down z. */
     private void set(int i) {
-        for (SurfacePoint point : new SurfacePoint[] {a, b, c}) {
+        for (SurfacePoint point : corners) {
             point.x = 1e6 + i + 0.1;
             point.y = 0;
             point.z = 0;

@@ -23,8 +23,10 @@ import org.diacaustic.scene.MapSettings;
 import org.diacaustic.scene.Scene;
 import org.diacaustic.scene.Settings;
 import org.diacaustic.scene.Weights;
+import org.diacaustic.shape.FlakeKind;
 import org.diacaustic.shape.Plane;
 import org.diacaustic.shape.Sphere;
+import org.diacaustic.shape.Sphereflake;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -149,23 +151,70 @@ class ForwardChoiceTest {
     }
 
     @Test
-    void plan_givenGlassOrMirror_takesALatticeAndPhotons() {
+    void plan_givenGlassOrMirror_takesCells() {
         for (Material.Builder material : new Material.Builder[] {clear(1.5), mirror(0.5)}) {
             RenderPlan plan = RenderPlan.of(lit(material), PHYSICAL);
             assertThat(plan.shader().name()).isEqualTo("non-transparent");
-            assertThat(decision(plan, "preprocessor").choice()).startsWith("planar, 524");
-            assertThat(decision(plan, "emission windows").choice()).startsWith("'ball': 524288 rays");
-            assertThat(decision(plan, "map").choice()).isEqualTo("photon-map, nearest");
+            assertThat(decision(plan, "preprocessor").choice()).startsWith("own-map, 262144");
+            assertThat(decision(plan, "emission windows").choice()).startsWith("'ball': 262144 rays");
+            assertThat(decision(plan, "map").choice()).isEqualTo("caustic-mesh");
+            assertThat(plan.estimatesError()).isTrue();
         }
+    }
+
+    @Test
+    void plan_givenWhatNeedsPhotons_takesPhotons() {
+        Scene scene = lit(clear(1.5));
+        Settings estimator = maps(s -> s.estimator(EstimatorName.DENSITY));
+        assertThat(decision(RenderPlan.of(scene, estimator), "map"))
+                .hasToString("uses  map: photon-map, density (an estimator of photons is asked for)");
+        Settings random = forward(s -> s.preProcessor("random"));
+        assertThat(decision(RenderPlan.of(scene, random), "map").choice()).isEqualTo("photon-map, nearest");
+        assertThat(decision(RenderPlan.of(scene, random), "map").reason())
+                .contains("'random' sends no neighbouring rays");
+    }
+
+    /** A fractal of glass sends every ray of a cell another way, however small the cell is. */
+    @Test
+    void plan_givenLightTornApart_handsOverToPhotons() {
+        Scene scene = Scene.builder()
+                .camera(Camera.builder().from(v(0, 4, -6)).to(v(0, 0, 0)).build())
+                .object("floor", new Plane(v(0, 0, 0), v(0, 1, 0)), matt(0.8).build())
+                .object(
+                        "flake",
+                        new Sphereflake(FlakeKind.CLASSIC, 4, v(0, 2, 0), 0.5),
+                        clear(1.5).build())
+                .light(new PointLight(v(1, 6, 0), Color.WHITE))
+                .build();
+        Decision map = decision(RenderPlan.of(scene, PHYSICAL), "map");
+        assertThat(map.choice()).isEqualTo("photon-map, nearest");
+        assertThat(map.reason()).contains("% of the light is torn apart too finely for cells");
+        assertThat(decision(RenderPlan.of(scene, PHYSICAL), "preprocessor").choice())
+                .startsWith("planar, 524288");
+    }
+
+    @Test
+    void plan_givenCellsAndWhatHasNone_isRefused() {
+        for (String name : new String[] {"random", "monte-carlo"}) {
+            assertRefused(
+                    forward(s -> s.preProcessor(name)), MapName.CAUSTIC_MESH, "'" + name + "'", "no neighbouring rays");
+        }
+        assertRefused(
+                maps(s -> s.map(MapName.CAUSTIC_MESH).estimator(EstimatorName.NEAREST)), "'nearest'", "'caustic-mesh'");
+    }
+
+    @Test
+    void plan_givenPhotonsAndLightAmongObjects_takesTheCube() {
         Scene lamp = overFloor(clear(1.5))
                 .light(new PointLight(v(0, 1.5, 0), Color.WHITE))
                 .build();
-        assertThat(decision(RenderPlan.of(lamp, PHYSICAL), "preprocessor").choice())
+        assertThat(decision(RenderPlan.of(lamp, maps(s -> s.map(MapName.PHOTON_MAP))), "preprocessor")
+                        .choice())
                 .startsWith("cube");
     }
 
     @ParameterizedTest
-    @EnumSource(names = {"AMBIENT_MAPS", "PHOTON_MAP"})
+    @EnumSource(names = {"AMBIENT_MAPS", "PHOTON_MAP", "CAUSTIC_MESH"})
     void plan_givenMapAndLightThatGoesStraight_isRefused(MapName map) {
         Settings settings =
                 maps(s -> s.map(map)).toBuilder().shader("non-refractive").build();
