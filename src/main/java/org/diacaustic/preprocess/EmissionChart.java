@@ -23,7 +23,9 @@ public abstract class EmissionChart {
     final double meanDensity() {
         double sum = 0;
         for (int i = 0; i < SAMPLES * SAMPLES; i++) {
-            sum += density((i % SAMPLES + 0.5) / SAMPLES, (i / SAMPLES + 0.5) / SAMPLES);
+            int row = i / SAMPLES;
+            int column = i % SAMPLES;
+            sum += density((column + 0.5) / SAMPLES, (row + 0.5) / SAMPLES);
         }
         return sum / (SAMPLES * SAMPLES);
     }

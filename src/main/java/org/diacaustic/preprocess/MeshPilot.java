@@ -42,7 +42,9 @@ final class MeshPilot {
         for (EmissionChart chart : charts) {
             leaves.clear();
             for (int i = 0; i < side * side; i++) {
-                chart.aim((i % side + 0.5) / side, (i / side + 0.5) / side, ray);
+                int row = i / side;
+                int column = i % side;
+                chart.aim((column + 0.5) / side, (row + 0.5) / side, ray);
                 int number = tracer.trace(beam, middle, ray, 1);
                 sum += ray.measure * leaves.booked(number, LeafTracer.STORED);
             }

@@ -175,7 +175,8 @@ final class PixelFootprint {
 
     /** The mean over small squares of the pixel, each of which sees a surface of its own of the same object. */
     private void askParts(IlluminationMap.Lookup lookup, SurfacePoint at, Rgb irradiance) {
-        double reach = REACH_OF_PART * reach(index.object(at.object).shape());
+        double reach = reach(index.object(at.object).shape());
+        reach = reach < Double.POSITIVE_INFINITY ? REACH_OF_PART * reach : 0;
         int found = 0;
         irradiance.set(0, 0, 0);
         for (int i = 0; i < PARTS * PARTS; i++) {

@@ -51,8 +51,10 @@ final class PixelSquare {
         lensU = whole.lensU;
         lensV = whole.lensV;
         side = whole.side / n;
-        left = whole.left + number % n * side;
-        top = whole.top + number / n * side;
+        int row = number / n;
+        int column = number % n;
+        left = whole.left + column * side;
+        top = whole.top + row * side;
     }
 
     /** The area on a plane across the view at a distance of 1. */

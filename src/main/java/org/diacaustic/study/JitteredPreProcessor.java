@@ -55,8 +55,10 @@ final class JitteredPreProcessor implements PreProcessor {
             double share = 1.0 / (columns * rows);
             pass.shootRays(columns * rows, (number, emitter) -> {
                 SampleStream random = emitter.random(number);
-                double p = (number % columns + random.nextDouble()) / columns;
-                double q = (strip + (number / columns + random.nextDouble()) / rows) / strips;
+                long row = number / columns;
+                long column = number % columns;
+                double p = (column + random.nextDouble()) / columns;
+                double q = (strip + (row + random.nextDouble()) / rows) / strips;
                 LightPoint from = emitter.point(random.nextDouble(), random.nextDouble());
                 (hasExtent ? beam.uniformChart(from) : chart).aim(p, q, emitter.ray());
                 emitter.shoot(share);

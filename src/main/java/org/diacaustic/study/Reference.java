@@ -40,6 +40,6 @@ public record Reference(
     }
 
     private static Path errorFile(Path file) {
-        return file.resolveSibling(file.getFileName().toString().replaceFirst("\\.[^.]*$", "") + ERROR_ENDING);
+        return Path.of(file.toString().replaceFirst("\\.[^./\\\\]*$", "") + ERROR_ENDING);
     }
 }

@@ -53,7 +53,8 @@ public final class WaterSheetScene {
             for (int column = 0; column <= cells; column++) {
                 double x = HALF * (2.0 * column / cells - 1);
                 double z = HALF * (2.0 * row / cells - 1);
-                text.append(String.format(Locale.ROOT, "v %.6f %.6f %.6f\n", x, height(x, z), z));
+                text.append(String.format(Locale.ROOT, "v %.6f %.6f %.6f", x, height(x, z), z))
+                        .append('\n');
             }
         }
         for (int row = 0; row < cells; row++) {
