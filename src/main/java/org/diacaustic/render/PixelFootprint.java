@@ -28,6 +28,9 @@ final class PixelFootprint {
     /** Light that makes less of the pixel is not worth rays of its own, nor is its error. */
     static final double WORTHWHILE = 1.0 / 16;
 
+    /** Light that makes more of the pixel is looked at anew for each eye ray, if not all of the pixel sees it. */
+    private static final double MUCH = 1.0 / 4;
+
     /** The cosine below which a square seen at a flat angle grows no longer. */
     private static final double LEAST_COSINE = 1.0 / 16;
 
@@ -126,7 +129,7 @@ final class PixelFootprint {
         if (!find(depth, signature, at)) {
             findAbout(ray, pathLength, at);
         }
-        return false;
+        return depth > 0 && weight < MUCH;
     }
 
     private boolean find(int depth, long signature, SurfacePoint at) {
