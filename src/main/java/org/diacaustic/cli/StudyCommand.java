@@ -69,9 +69,9 @@ final class StudyCommand implements Callable<Integer> {
     @Option(
             names = "--reference-time",
             paramLabel = "T",
-            converter = SecondsConverter.class,
+            converter = TimeSpan.Converter.class,
             description = "Time for the reference, such as 90s (default: 60s).")
-    private Double referenceTime;
+    private TimeSpan referenceTime;
 
     @Option(
             names = "--reference-preprocessor",
@@ -215,7 +215,7 @@ final class StudyCommand implements Callable<Integer> {
         if (referenceRays != null) {
             budget = new ReferenceBudget.Rays(referenceRays);
         } else if (referenceTime != null) {
-            budget = new ReferenceBudget.Seconds(referenceTime);
+            budget = new ReferenceBudget.Seconds(referenceTime.seconds());
         }
         return new ReferenceRender(source, referencePreProcessor, workers).run(budget, progress.listener(System.err));
     }
@@ -254,17 +254,6 @@ final class StudyCommand implements Callable<Integer> {
                 whole.objects(),
                 whole.background());
         return new SceneFile(resized, file.settings());
-    }
-
-    /** Reads a time such as 60s, or a number of seconds. */
-    static final class SecondsConverter implements ITypeConverter<Double> {
-        @Override
-        public Double convert(String text) {
-            if (!text.matches("[0-9]{1,9}(\\.[0-9]{1,9})?s?")) {
-                throw new TypeConversionException("expected a time such as 60s, found '" + text + "'");
-            }
-            return Double.valueOf(text.replace("s", ""));
-        }
     }
 
     /** Reads a list of techniques. */

@@ -118,7 +118,7 @@ final class MeshPatch {
         makeCells(p, r, s);
     }
 
-    /** The part of light from which on a cell is cut for it: as much power as all light has in the smallest cells. */
+    /** The part of light from which on a cell is quartered for it: as much power as all light has in the smallest cells. */
     static double worthwhile(int depth) {
         return Math.max(SIGNIFICANT, Math.scalb(0.5, -2 * depth));
     }

@@ -26,8 +26,8 @@ class StudyCommandTest {
         refused(2, "--rays must be at least 1", "study", scene, "-o", out, "--rays", "100,0");
         refused(2, "--cells must be at least 1", "study", scene, "-o", out, "--cells", "0");
         refused(2, "--reference-rays must be at least 1", "study", scene, "-o", out, "--reference-rays", "0");
-        refused(2, "expected a time such as 60s, found '1h'", "study", scene, "-o", out, "--reference-time", "1h");
-        refused(2, "positive time", "study", scene, "-o", out, "--reference-time", "0s");
+        refused(2, "unit ms, s, m or h", "study", scene, "-o", out, "--reference-time", "1d");
+        refused(2, "a number above 0", "study", scene, "-o", out, "--reference-time", "0s");
         refused(2, "unknown technique 'mash'", "study", scene, "-o", out, "--techniques", "mash");
         refused(2, "exclude each other", "study", scene, "-o", out, "--reference-rays", 5, "--reference-time", "5s");
         refused(3, "nowhere.pfm: there is no such file", "study", scene, "-o", out, "--reference", "nowhere.pfm");
