@@ -11,6 +11,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import org.diacaustic.chart.Ink;
+import org.diacaustic.chart.SvgCanvas;
 import org.diacaustic.image.WholeFile;
 import org.diacaustic.map.Cell;
 import org.diacaustic.map.CellSeed;

@@ -4,6 +4,9 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import org.diacaustic.chart.Ink;
+import org.diacaustic.chart.LogAxis;
+import org.diacaustic.chart.SvgCanvas;
 
 /**
  * Error against light rays, a line for each technique, both axes logarithmic. Errors that the reference does not resolve are

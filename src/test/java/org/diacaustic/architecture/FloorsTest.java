@@ -32,6 +32,7 @@ class FloorsTest {
         NAMES.put("json", Set.of());
         NAMES.put("index", Set.of("math", "parallel"));
         NAMES.put("image", Set.of("math"));
+        NAMES.put("chart", Set.of("image"));
         NAMES.put("shape", Set.of("index"));
         NAMES.put("material", Set.of("shape", "image"));
         NAMES.put("light", Set.of("shape"));
@@ -42,8 +43,20 @@ class FloorsTest {
         NAMES.put("preprocess", Set.of("transport", "map", "scene", "parallel"));
         NAMES.put("render", Set.of("preprocess", "transport", "shader", "map", "scene", "image", "parallel"));
         NAMES.put("scenefile", Set.of("scene", "image"));
-        NAMES.put("study", Set.of("render", "scenefile", "preprocess", "map", "shader", "scene", "image", "json"));
-        NAMES.put("cli", Set.of("study", "render", "scenefile", "preprocess", "shader", "scene", "image", "json"));
+        NAMES.put("study", Set.of("render", "scenefile", "chart", "json"));
+        NAMES.put("reproduction", Set.of("render", "scenefile", "chart", "json"));
+        NAMES.put(
+                "cli",
+                Set.of(
+                        "study",
+                        "reproduction",
+                        "render",
+                        "scenefile",
+                        "preprocess",
+                        "shader",
+                        "scene",
+                        "image",
+                        "json"));
     }
 
     private final JavaClasses classes = new ClassFileImporter()

@@ -1,8 +1,0 @@
-package org.diacaustic.study;
-
-/**
- * A statement of the thesis, tested.
- *
- * @param evidence the numbers of the run that decide it
- */
-record Verdict(Statement statement, Finding finding, String evidence) {}
