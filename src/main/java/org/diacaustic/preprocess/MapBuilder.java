@@ -59,6 +59,11 @@ public final class MapBuilder {
         return plan.map() == MapName.AMBIENT_MAPS ? ambientMaps(camera, photons) : photonMap(photons, pass);
     }
 
+    /** How far photons are looked for: as given, or as the first pass' photons say; 0 if there was no pass yet. */
+    public double gatherRadius() {
+        return firstRadius;
+    }
+
     private IlluminationMap ambientMaps(Camera camera, PhotonStore photons) {
         if (charts == null) {
             charts = AmbientCharts.of(plan.index(), sizing(camera, photons), workers);

@@ -47,8 +47,7 @@ final class MonteCarloPreProcessor implements PreProcessor {
             beam.uniformChart(from).aim(places[2 * i], places[2 * i + 1], emitter.ray());
             found[i] = emitter.probe() > 0;
         });
-        double spread = beam.settings().batchSpread();
-        double half = spread > 0 ? spread / Math.sqrt(measure(beam)) : 1 / Math.sqrt(base);
+        double half = spread(beam, base) / Math.sqrt(measure(beam));
         BatchDensity density = BatchDensity.around(places, found, Math.min(0.5, half));
         long even = Math.max(1, beam.rays() * EVEN / 8);
         long batch = density.count() == 0
@@ -78,6 +77,12 @@ final class MonteCarloPreProcessor implements PreProcessor {
         return (int) base;
     }
 
+    /** How far the rays of a batch lie from their base ray; if that is not given, as far as the next base rays are. */
+    private static double spread(Beam beam, long base) {
+        double given = beam.settings().batchSpread();
+        return given > 0 ? given : Math.sqrt(measure(beam) / base);
+    }
+
     /** The solid angle, or the area, that the window has for the middle of the light. */
     private static double measure(Beam beam) {
         LightPoint middle = new LightPoint();
@@ -91,7 +96,7 @@ final class MonteCarloPreProcessor implements PreProcessor {
     private static void runAsTheThesis(Beam beam, ForwardPass pass) {
         long base = orElse(beam.settings().baseRays(), beam.rays());
         long batch = orElse(beam.settings().batchRays(), 1000);
-        double spread = beam.settings().batchSpread();
+        double spread = spread(beam, base);
         pass.shootTasks(ForwardPass.tasks(base, BASE_RAYS_A_TASK), (task, emitter) -> {
             long end = Math.min(base, (task + 1L) * BASE_RAYS_A_TASK);
             for (long number = (long) task * BASE_RAYS_A_TASK; number < end && !emitter.isStopped(); number++) {

@@ -157,9 +157,9 @@ final class ForwardChoice {
         if (!traits.isDiffuse()) {
             return "nothing is diffuse, so light that lands cannot be seen";
         }
-        boolean straight = traits.refracting().isEmpty()
-                && (!forward.followsReflections() || traits.mirroring().isEmpty());
-        return straight ? "nothing bends light or mirrors it, so straight shadow rays are exact" : null;
+        return traits.isStraight(forward)
+                ? "nothing bends light or mirrors it, so straight shadow rays are exact"
+                : null;
     }
 
     private ForwardPlan choose(Map<String, PreProcessor> known) {

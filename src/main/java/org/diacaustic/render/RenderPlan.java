@@ -146,6 +146,19 @@ public final class RenderPlan {
         return forward.map(ForwardPlan::passes).orElse(1);
     }
 
+    /**
+     * Whether lamps light surfaces along straight lines only, so that straight shadow rays through what is transparent are exact:
+     * nothing bends light, none is mirrored onto surfaces, and the forward pass would follow it through all that it can cross.
+     */
+    public boolean isStraight() {
+        long boundaries = scene.objects().stream()
+                .filter(object -> object.material().isTransparent())
+                .mapToLong(object -> object.shape().isClosed() ? 2 : 1)
+                .sum();
+        return new SceneTraits(scene).isStraight(settings.forward())
+                && settings.forward().maxDepth() >= boundaries;
+    }
+
     /** What runs and what is left out, in the order in which it would run. */
     public List<Decision> decisions() {
         return decisions;

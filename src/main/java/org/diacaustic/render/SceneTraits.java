@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.diacaustic.material.Material;
 import org.diacaustic.material.Medium;
+import org.diacaustic.scene.ForwardSettings;
 import org.diacaustic.scene.Scene;
 import org.diacaustic.scene.SceneObject;
 
@@ -38,6 +39,12 @@ final class SceneTraits {
                 .filter(object -> object.material().isReflective())
                 .map(SceneObject::name)
                 .toList();
+    }
+
+    /** Whether lamps light surfaces along straight lines only: nothing bends light, and none is mirrored onto surfaces. */
+    boolean isStraight(ForwardSettings forward) {
+        return refracting().isEmpty()
+                && (!forward.followsReflections() || mirroring().isEmpty());
     }
 
     boolean hasAbsorption() {

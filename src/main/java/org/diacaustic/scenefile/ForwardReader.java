@@ -34,7 +34,7 @@ final class ForwardReader {
                 .atMost(MOST_RAYS_A_BATCH)
                 .optional()
                 .ifPresent(forward::batchRays);
-        in.number("batch-spread").above(0).atMost(2).optional().ifPresent(forward::batchSpread);
+        in.number("batch-spread").atLeast(0).atMost(2).optional().ifPresent(forward::batchSpread);
         return forward.build();
     }
 }
