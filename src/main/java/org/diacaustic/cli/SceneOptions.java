@@ -4,20 +4,15 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import org.diacaustic.scene.Scene;
-import org.diacaustic.scene.Settings;
-import org.diacaustic.scenefile.FileScope;
 import org.diacaustic.scenefile.Problems;
-import org.diacaustic.scenefile.SceneDocument;
 import org.diacaustic.scenefile.SceneFile;
-import org.diacaustic.scenefile.SceneReader;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 
-/** The scene file and what the command line says over it. */
+/** The scene file, and everything that the command line can say over its settings. */
 final class SceneOptions {
-    @Parameters(paramLabel = "SCENE", description = "Scene file, YAML or JSON.")
-    private Path scene;
+    @Mixin
+    private SceneInput input;
 
     @Option(names = "--shader", paramLabel = "S", description = "auto, non-transparent, non-refractive.")
     private String shader;
@@ -43,40 +38,21 @@ final class SceneOptions {
     @Option(names = "--passes", paramLabel = "N", description = "Independent passes whose pictures are averaged.")
     private Integer passes;
 
-    @Option(names = "--size", paramLabel = "WxH", converter = PixelSize.Converter.class, description = "In pixels.")
-    private PixelSize size;
-
     @Option(names = "--samples", paramLabel = "N", description = "Eye rays per pixel.")
     private Integer samples;
 
     @Option(names = "--max-depth", paramLabel = "N", description = "Reflections and refractions of an eye ray.")
     private Integer maxDepth;
 
-    @Option(names = "--seed", paramLabel = "N", description = "Seed of all random choices.")
-    private Long seed;
-
     @Option(names = "--exposure", paramLabel = "X|auto", description = "Factor from radiance to picture.")
     private String exposure;
 
-    @Option(names = "-D", paramLabel = "key=value", description = "Any key of the scene's settings.")
-    private Map<String, String> overrides = new LinkedHashMap<>();
-
-    @Option(names = "--allow-outside", description = "Let the scene name files outside its folder.")
-    private boolean allowOutside;
-
-    @Option(names = "--debug", description = "Show a stack trace when something fails.")
-    private boolean debug;
-
     Path path() {
-        return scene;
+        return input.path();
     }
 
     boolean hasPasses() {
         return passes != null;
-    }
-
-    boolean debug() {
-        return debug;
     }
 
     /**
@@ -85,29 +61,17 @@ final class SceneOptions {
      * @throws CommandFailure if it has problems
      */
     SceneFile read() throws IOException {
-        Problems problems = new Problems();
-        SceneFile file = read(problems);
-        String lines = problems.toString();
-        if (problems.hasErrors()) {
-            throw new ProblemsFailure(problems.exitCode(), lines);
-        }
-        if (!lines.isEmpty()) {
-            System.err.println(lines);
-        }
-        return file;
+        return input.read(asSettings());
     }
 
     /** Reads the scene; null if {@code problems} has errors then. */
     SceneFile read(Problems problems) throws IOException {
-        FileScope files = allowOutside ? FileScope.anywhere(scene) : FileScope.inFolderOf(scene);
-        SceneDocument document = SceneDocument.read(scene, files, problems);
-        asSettings().forEach((key, value) -> document.override("settings", key, value));
-        return SceneReader.read(document, problems).map(this::resized).orElse(null);
+        return input.read(asSettings(), problems).orElse(null);
     }
 
-    /** What the options say, as keys of the settings; {@code -D} comes first, so that an option of its own wins. */
+    /** What the options say, as keys of the settings. */
     private Map<String, String> asSettings() {
-        Map<String, String> settings = new LinkedHashMap<>(overrides);
+        Map<String, String> settings = new LinkedHashMap<>();
         put(settings, "shader", shader);
         put(settings, "preprocessor", preProcessor);
         put(settings, "map", map);
@@ -116,7 +80,6 @@ final class SceneOptions {
         put(settings, "passes", passes);
         put(settings, "samples", samples);
         put(settings, "max-depth", maxDepth);
-        put(settings, "seed", seed);
         put(settings, "exposure", exposure);
         return settings;
     }
@@ -125,19 +88,5 @@ final class SceneOptions {
         if (value != null) {
             settings.put(key, value.toString());
         }
-    }
-
-    private SceneFile resized(SceneFile file) {
-        if (size == null) {
-            return file;
-        }
-        Scene whole = file.scene();
-        Scene resized = new Scene(
-                whole.camera().withSize(size.width(), size.height()),
-                whole.lights(),
-                whole.objects(),
-                whole.background());
-        Settings settings = file.settings();
-        return new SceneFile(resized, settings);
     }
 }

@@ -3,53 +3,58 @@ package org.diacaustic.cli;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.Arrays;
+import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import org.diacaustic.image.WholeFile;
-import org.diacaustic.scene.Scene;
-import org.diacaustic.scenefile.FileScope;
-import org.diacaustic.scenefile.Problems;
-import org.diacaustic.scenefile.SceneDocument;
-import org.diacaustic.scenefile.SceneFile;
-import org.diacaustic.scenefile.SceneReader;
+import org.diacaustic.page.StudyPage;
+import org.diacaustic.study.Budget;
 import org.diacaustic.study.CellsChart;
+import org.diacaustic.study.Machine;
 import org.diacaustic.study.Reference;
-import org.diacaustic.study.ReferenceBudget;
-import org.diacaustic.study.ReferenceRender;
 import org.diacaustic.study.SceneSource;
 import org.diacaustic.study.Study;
+import org.diacaustic.study.StudyFolder;
 import org.diacaustic.study.StudyReport;
+import org.diacaustic.study.StudyRequest;
 import org.diacaustic.study.Technique;
 import org.diacaustic.study.Techniques;
 import org.diacaustic.study.WaterSheetScene;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
 
-/** {@code study}: error against light rays and time, for several techniques on one scene. */
+/** {@code study}: error against run time, for every technique on one scene. */
 @Command(
         name = "study",
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
         description = {
-            "Renders a scene with several techniques and numbers of light rays, and holds each picture against a reference.",
-            "Counts pixels that show one diffuse object and nothing else. The reference is light traced straight into the"
-                    + " pixels, without any map, unless one is given. Writes DIR/study.json and the pictures."
+            "Renders a scene with every technique, with several budgets and seeds, and holds each picture against a reference.",
+            "Writes DIR/study.html, which needs nothing else, and the same as JSON and CSV. A study that was stopped goes on where it was."
         })
 final class StudyCommand implements Callable<Integer> {
-    private static final ReferenceBudget DEFAULT_REFERENCE = new ReferenceBudget.Seconds(60);
+    private static final List<Budget> BUDGETS = rays(3000, 10_000, 30_000, 100_000, 300_000);
+    private static final List<Budget> QUICK_BUDGETS = rays(3000, 30_000, 300_000);
+    private static final int QUICK_SEEDS = 5;
+    private static final PixelSize QUICK_SIZE = new PixelSize(100, 100);
 
     @Spec
     private picocli.CommandLine.Model.CommandSpec spec;
 
-    @Parameters(paramLabel = "SCENE", arity = "0..1", description = "Scene file, YAML or JSON.")
-    private Path scene;
+    @Mixin
+    private SceneInput input;
 
     @Option(
             names = {"-o", "--output"},
@@ -58,47 +63,47 @@ final class StudyCommand implements Callable<Integer> {
     private Path output;
 
     @Option(
-            names = "--reference",
-            paramLabel = "FILE",
-            description = "A reference that is there already; its standard error is FILE's name with .error.pfm.")
-    private Path referenceFile;
-
-    @Option(names = "--reference-rays", paramLabel = "N", description = "Light rays of the reference.")
-    private Long referenceRays;
-
-    @Option(
-            names = "--reference-time",
-            paramLabel = "T",
-            converter = TimeSpan.Converter.class,
-            description = "Time for the reference, such as 90s (default: 60s).")
-    private TimeSpan referenceTime;
-
-    @Option(
-            names = "--reference-preprocessor",
-            paramLabel = "P",
-            defaultValue = ReferenceRender.PRE_PROCESSOR,
-            description = "Chooses the reference's light rays (default: ${DEFAULT-VALUE}).")
-    private String referencePreProcessor;
-
-    @Option(
-            names = "--rays",
-            paramLabel = "N",
-            split = ",",
-            defaultValue = "16384,65536,262144,1048576",
-            description = "Light rays to choose for a picture (default: ${DEFAULT-VALUE}).")
-    private List<Long> rays;
-
-    @Option(
-            names = "--techniques",
-            paramLabel = "T",
+            names = "--methods",
+            paramLabel = "M",
             converter = TechniquesConverter.class,
             description =
-                    "Names, with commas between them, or NAME:key=value:key=value with keys of the scene's settings.")
-    private List<Technique> techniques;
+                    "Techniques, with commas between them: names such as planar-nearest, planar-* for several, or NAME:key=value:key=value"
+                            + " with keys of the scene's settings.")
+    private List<Technique> methods;
+
+    @Option(
+            names = "--budgets",
+            paramLabel = "B",
+            converter = BudgetsConverter.class,
+            description =
+                    "What a picture may cost: light rays, or seconds, such as 3000,30000 or 1s,5s (default: 3000 to 300000 light rays).")
+    private List<Budget> budgets;
+
+    @Option(
+            names = "--seeds",
+            paramLabel = "N",
+            description = "Pictures of a cheap point, each with a seed of its own (default: 20; fewer of dear ones).")
+    private Integer seeds;
+
+    @Option(
+            names = "--quick",
+            description =
+                    "Eight techniques, three budgets, five seeds, 100 x 100 pixels, unless something else is said.")
+    private boolean quick;
+
+    @Mixin
+    private ReferenceOptions referenceOptions;
+
+    @Option(names = "--restart", description = "Forget what DIR holds of the study, and begin again.")
+    private boolean restart;
+
+    @Option(names = "--no-cold", description = "Do not time whole processes.")
+    private boolean noCold;
 
     @Option(
             names = "--write-scenes",
             paramLabel = "DIR",
+            help = true,
             description =
                     "Writes scenes that are too large to be kept with the others into a folder, and does no more.")
     private Path scenes;
@@ -109,21 +114,6 @@ final class StudyCommand implements Callable<Integer> {
             description =
                     "Draws a caustic mesh of about so many light rays, such as 500, as DIR/cells.svg, and does no more.")
     private Long cellRays;
-
-    @Option(names = "--size", paramLabel = "WxH", converter = PixelSize.Converter.class, description = "In pixels.")
-    private PixelSize size;
-
-    @Option(names = "--seed", paramLabel = "N", description = "Seed of all random choices.")
-    private Long seed;
-
-    @Option(
-            names = "-D",
-            paramLabel = "key=value",
-            description = "Any key of the scene's settings, for all techniques.")
-    private Map<String, String> overrides = new LinkedHashMap<>();
-
-    @Option(names = "--allow-outside", description = "Let the scene name files outside its folder.")
-    private boolean allowOutside;
 
     @Option(names = "--threads", paramLabel = "N", description = "Threads; 0 for all cores (default).")
     private int threads;
@@ -136,8 +126,9 @@ final class StudyCommand implements Callable<Integer> {
             description = "auto, plain, json, none (default: ${DEFAULT-VALUE}).")
     private ProgressKind progress;
 
-    @Option(names = "--debug", description = "Show a stack trace when something fails.")
-    private boolean debug;
+    private static List<Budget> rays(long... counts) {
+        return Arrays.stream(counts).<Budget>mapToObj(Budget.Rays::new).toList();
+    }
 
     @Override
     public Integer call() throws IOException {
@@ -148,28 +139,104 @@ final class StudyCommand implements Callable<Integer> {
         }
         checkOptions();
         requireFolder(output);
-        if (cellRays != null) {
-            return drawCells();
+        if (quick) {
+            input.proposeSize(QUICK_SIZE);
         }
-        List<Technique> chosen = techniques == null ? Techniques.known() : techniques;
-        checkScene(chosen);
-        int workers = workers();
-        SceneSource source = extra -> read(extra, new Problems());
-        Reference reference = reference(source, workers);
-        Files.createDirectories(output);
-        WholeFile.checkWritable(output.resolve("study.json"));
-        StudyReport report = new Study(source, reference, chosen, rays).run(workers, progress.listener(System.err));
-        Path written = report.write(output);
-        System.out.print(report.table());
-        System.out.println(written + ": written, with the pictures beside it");
-        return ExitCode.DONE;
+        input.read(Map.of());
+        if (cellRays != null) {
+            System.out.println(CellsChart.write(input::readAgain, cellRays, workers(), output) + ": written");
+            return ExitCode.DONE;
+        }
+        return study();
     }
 
-    private Integer drawCells() throws IOException {
-        checkScene(List.of());
-        SceneSource source = extra -> read(extra, new Problems());
-        System.out.println(CellsChart.write(source, cellRays, workers(), output) + ": written");
-        return ExitCode.DONE;
+    private Integer study() throws IOException {
+        StudyRequest request = request();
+        for (Technique technique : request.techniques()) {
+            input.readAgain(technique.overrides());
+        }
+        Files.createDirectories(output);
+        WholeFile.checkWritable(output.resolve("study.html"));
+        StudyFolder folder = StudyFolder.open(output, identity(request), restart);
+        SceneSource source = input::readAgain;
+        Optional<Reference> kept = folder.reference();
+        Optional<Reference> reference = kept.isPresent()
+                ? kept
+                : referenceOptions.make(source, workers(), quick, progress.listener(System.err));
+        if (reference.isEmpty()) {
+            System.err.println("diacaustic: interrupted before the reference was whole; nothing is kept");
+            return ExitCode.LIMIT;
+        }
+        Study study = new Study(source, request, reference.get(), folder);
+        if (kept.isEmpty()) {
+            folder.keep(reference.get());
+        }
+        ColdProcesses cold = new ColdProcesses(input, workers());
+        Interruption interruption = Interruption.cancelling(() -> {
+            study.cancel();
+            cold.cancel();
+        });
+        try {
+            StudyReport report = study.run(progress.listener(System.err));
+            if (report.isComplete() && !noCold) {
+                List<Budget> asked = request.budgets();
+                report = report.with(cold.time(report, asked.get(asked.size() / 2), progress.listener(System.err)));
+            }
+            report.write(folder);
+            Path page = StudyPage.write(report, folder);
+            System.out.print(report.table());
+            System.out.println(page + ": written, " + report.points() + " of " + report.pointsPlanned() + " points");
+            if (!report.isComplete()) {
+                System.err.println("diacaustic: interrupted; " + report.points() + " of " + report.pointsPlanned()
+                        + " points are kept, and the same command goes on from there");
+            }
+            return report.isComplete() ? ExitCode.DONE : ExitCode.LIMIT;
+        } finally {
+            interruption.saved();
+        }
+    }
+
+    private StudyRequest request() {
+        List<Technique> techniques = methods != null ? methods : quick ? Techniques.quick() : Techniques.known();
+        int pictures = seeds != null ? seeds : quick ? QUICK_SEEDS : StudyRequest.SEEDS;
+        return new StudyRequest(
+                String.valueOf(input.path().getFileName()),
+                command(),
+                Machine.here(new Version().getVersion()[0]),
+                techniques,
+                budgets != null ? budgets : quick ? QUICK_BUDGETS : BUDGETS,
+                pictures,
+                workers());
+    }
+
+    /** The command as it was given. */
+    private String command() {
+        return "java -jar diacaustic.jar "
+                + spec.commandLine().getParent().getParseResult().originalArgs().stream()
+                        .map(word ->
+                                word.matches("[A-Za-z0-9_./:=,*+-]+") ? word : "'" + word.replace("'", "'\\''") + "'")
+                        .collect(Collectors.joining(" "));
+    }
+
+    /** All that the numbers of a point depend on. */
+    private Map<String, String> identity(StudyRequest request) throws IOException {
+        Map<String, String> identity = new LinkedHashMap<>();
+        identity.put("program", request.machine().program());
+        identity.put("scene", digest(Files.readAllBytes(input.path())));
+        identity.put("options", String.join(" ", input.optionTexts()));
+        identity.put("reference", referenceOptions.text(quick));
+        identity.put("seeds", Integer.toString(request.seeds()));
+        identity.put("threads", Integer.toString(request.threads()));
+        return identity;
+    }
+
+    private static String digest(byte[] bytes) {
+        try {
+            byte[] digest = MessageDigest.getInstance("SHA-256").digest(bytes);
+            return HexFormat.of().formatHex(digest, 0, 8);
+        } catch (NoSuchAlgorithmException impossible) {
+            throw new IllegalStateException("every virtual machine has SHA-256", impossible);
+        }
     }
 
     private int workers() {
@@ -182,78 +249,20 @@ final class StudyCommand implements Callable<Integer> {
         }
     }
 
-    private void checkOptions() {
-        if (scene == null || output == null) {
-            throw new ParameterException(
-                    spec.commandLine(), "missing required " + (scene == null ? "parameter: SCENE" : "option -o DIR"));
+    private void checkOptions() throws IOException {
+        if (output == null) {
+            throw new ParameterException(spec.commandLine(), "missing required option -o DIR");
         }
         if (threads < 0) {
             throw new ParameterException(spec.commandLine(), "--threads must be at least 0, but is " + threads);
         }
-        if (rays.stream().anyMatch(count -> count < 1)) {
-            throw new ParameterException(spec.commandLine(), "--rays must be at least 1, but are " + rays);
-        }
         if (cellRays != null && cellRays < 1) {
             throw new ParameterException(spec.commandLine(), "--cells must be at least 1, but is " + cellRays);
         }
-        if (referenceRays != null && referenceRays < 1) {
-            throw new ParameterException(
-                    spec.commandLine(), "--reference-rays must be at least 1, but is " + referenceRays);
+        if (seeds != null && seeds < 1) {
+            throw new ParameterException(spec.commandLine(), "--seeds must be at least 1, but is " + seeds);
         }
-        int ways = (referenceFile == null ? 0 : 1) + (referenceRays == null ? 0 : 1) + (referenceTime == null ? 0 : 1);
-        if (ways > 1) {
-            throw new ParameterException(
-                    spec.commandLine(), "--reference, --reference-rays and --reference-time exclude each other");
-        }
-    }
-
-    private Reference reference(SceneSource source, int workers) throws IOException {
-        if (referenceFile != null) {
-            return Reference.read(referenceFile);
-        }
-        ReferenceBudget budget = DEFAULT_REFERENCE;
-        if (referenceRays != null) {
-            budget = new ReferenceBudget.Rays(referenceRays);
-        } else if (referenceTime != null) {
-            budget = new ReferenceBudget.Seconds(referenceTime.seconds());
-        }
-        return new ReferenceRender(source, referencePreProcessor, workers).run(budget, progress.listener(System.err));
-    }
-
-    /** Finds what is wrong with the scene or a technique's settings before time is spent; warnings are printed once. */
-    private void checkScene(List<Technique> chosen) throws IOException {
-        Problems problems = new Problems();
-        read(Map.of(), problems);
-        String lines = problems.toString();
-        if (!lines.isEmpty()) {
-            System.err.println(lines);
-        }
-        for (Technique technique : chosen) {
-            read(technique.settings(), new Problems());
-        }
-    }
-
-    private SceneFile read(Map<String, String> extra, Problems problems) throws IOException {
-        FileScope files = allowOutside ? FileScope.anywhere(scene) : FileScope.inFolderOf(scene);
-        SceneDocument document = SceneDocument.read(scene, files, problems);
-        Map<String, String> settings = new LinkedHashMap<>(overrides);
-        if (seed != null) {
-            settings.put("seed", seed.toString());
-        }
-        settings.putAll(extra);
-        settings.forEach((key, value) -> document.override("settings", key, value));
-        SceneFile file = SceneReader.read(document, problems)
-                .orElseThrow(() -> new ProblemsFailure(problems.exitCode(), problems.toString()));
-        if (size == null) {
-            return file;
-        }
-        Scene whole = file.scene();
-        Scene resized = new Scene(
-                whole.camera().withSize(size.width(), size.height()),
-                whole.lights(),
-                whole.objects(),
-                whole.background());
-        return new SceneFile(resized, file.settings());
+        referenceOptions.check(spec);
     }
 
     /** Reads a list of techniques. */

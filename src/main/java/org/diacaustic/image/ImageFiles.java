@@ -1,6 +1,7 @@
 package org.diacaustic.image;
 
 import java.io.BufferedInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
@@ -27,6 +28,22 @@ public final class ImageFiles {
         ImageFormat format = ImageFormat.of(path);
         format.checkSize(image.width(), image.height());
         WholeFile.write(path, out -> format.codec().write(image, exposure, out));
+    }
+
+    /**
+     * What {@link #write} would put into a file.
+     *
+     * @throws IllegalArgumentException if the format cannot hold so large an image
+     */
+    public static byte[] bytes(LinearImage image, Exposure exposure, ImageFormat format) {
+        format.checkSize(image.width(), image.height());
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        try {
+            format.codec().write(image, exposure, out);
+        } catch (IOException e) {
+            throw new IllegalStateException("memory cannot be written to", e);
+        }
+        return out.toByteArray();
     }
 
     /**

@@ -1,5 +1,6 @@
 package org.diacaustic.study;
 
+import java.util.Arrays;
 import java.util.function.IntConsumer;
 import org.diacaustic.image.LinearImage;
 import org.diacaustic.map.PhotonCapacityException;
@@ -36,6 +37,8 @@ final class LightTracedPicture {
     private final double[] radiances = new double[3 * PHOTONS_A_ROUND];
     private long lightRays;
     private long photonsSeen;
+    private long tests;
+    private double traceSeconds;
 
     /**
      * @param plan whose forward pass is run again and again; its rays must carry their flux
@@ -68,7 +71,10 @@ final class LightTracedPicture {
     void add(int batch) {
         for (int strip = 0; strip < strips; strip++) {
             turnTo.accept(strip);
+            Clock clock = new Clock();
             ForwardPass traced = trace(batch * strips + strip);
+            traceSeconds += clock.wallSeconds();
+            tests += traced.counters().intersectionTests();
             PhotonStore photons = traced.photons();
             for (int start = 0; start < photons.size(); start += PHOTONS_A_ROUND) {
                 put(photons, start, Math.min(PHOTONS_A_ROUND, photons.size() - start));
@@ -91,6 +97,7 @@ final class LightTracedPicture {
     /** Finds the photons' pixels on all threads, and then adds them up in the order of the photons. */
     private void put(PhotonStore photons, int start, int count) {
         int tasks = (count + PHOTONS_A_TASK - 1) / PHOTONS_A_TASK;
+        long[] testsOfTasks = new long[tasks];
         workers.run(tasks, () -> {
             PhotonSplatter splatter = new PhotonSplatter(scene, plan.settings(), forward, view);
             return task -> {
@@ -99,8 +106,10 @@ final class LightTracedPicture {
                     pixels[i] = splatter.put(photons, start + i);
                     note(i, splatter.radiance);
                 }
+                testsOfTasks[task] = splatter.takeTests();
             };
         });
+        tests += Arrays.stream(testsOfTasks).sum();
         for (int i = 0; i < count; i++) {
             if (pixels[i] >= 0) {
                 photonsSeen++;
@@ -124,19 +133,24 @@ final class LightTracedPicture {
         return batches.mean();
     }
 
-    /** How far each channel of each pixel may be off; not a number after a single batch. */
-    LinearImage standardError() {
-        return batches.standardError();
-    }
-
-    /** Batches that were added: independent pictures. */
-    int batches() {
-        return batches.count();
+    /** The batches that were added: independent pictures. */
+    PixelBatches batches() {
+        return batches;
     }
 
     /** Light rays followed so far, with all that became of them. */
     long lightRays() {
         return lightRays;
+    }
+
+    /** Tests of a ray against an object or a volume so far, of light rays and of the eye's. */
+    long tests() {
+        return tests;
+    }
+
+    /** Seconds by the clock that went into following light so far; the rest went into the pixels. */
+    double traceSeconds() {
+        return traceSeconds;
     }
 
     /** Photons seen so far. */

@@ -66,6 +66,13 @@ final class PhotonSplatter {
         return pixel;
     }
 
+    /** Tests of a ray against an object or a volume since they were last asked for. */
+    long takeTests() {
+        long tests = first.ray.tests;
+        first.ray.tests = 0;
+        return tests;
+    }
+
     /** Whether the ray met the surface where the photon lies, and not another part of the same object. */
     private boolean isHere(double distance, double cosine) {
         double dx = at.x - first.hit.x;

@@ -10,6 +10,9 @@ final class PixelBatches {
     private final double[] batch;
     private final double[] sums;
     private final double[] squares;
+    /** Every other picture with a minus sign. */
+    private final double[] alternating;
+
     private int count;
 
     PixelBatches(int width, int height) {
@@ -18,6 +21,7 @@ final class PixelBatches {
         this.batch = new double[3 * width * height];
         this.sums = new double[batch.length];
         this.squares = new double[batch.length];
+        this.alternating = new double[batch.length];
     }
 
     /** Adds radiance to a pixel of the picture that is being made. */
@@ -27,11 +31,19 @@ final class PixelBatches {
         batch[3 * pixel + 2] += blue;
     }
 
+    /** Adds a picture, or its negative, to the picture that is being made. */
+    void add(LinearImage picture, int sign) {
+        for (int i = 0; i < batch.length; i++) {
+            batch[i] += sign * (double) picture.samples()[i];
+        }
+    }
+
     /** Ends the picture, and begins the next. */
     void next() {
         for (int i = 0; i < batch.length; i++) {
             sums[i] += batch[i];
             squares[i] += batch[i] * batch[i];
+            alternating[i] += count % 2 == 0 ? batch[i] : -batch[i];
         }
         Arrays.fill(batch, 0);
         count++;
@@ -57,6 +69,22 @@ final class PixelBatches {
         for (int i = 0; i < sums.length; i++) {
             double variance = (squares[i] - sums[i] * sums[i] / count) / ((count - 1.0) * count);
             image.samples()[i] = (float) Math.sqrt(Math.max(0, variance));
+        }
+        return image;
+    }
+
+    /**
+     * The mean of one half of the pictures minus the mean of the other.
+     *
+     * @throws IllegalStateException if there are not two equal halves
+     */
+    LinearImage halves() {
+        if (count == 0 || count % 2 != 0) {
+            throw new IllegalStateException(count + " pictures have no equal halves");
+        }
+        LinearImage image = new LinearImage(width, height);
+        for (int i = 0; i < alternating.length; i++) {
+            image.samples()[i] = (float) (2 * alternating[i] / count);
         }
         return image;
     }

@@ -1,15 +1,22 @@
 package org.diacaustic.study;
 
-import org.diacaustic.image.LinearImage;
+import java.util.EnumMap;
+import java.util.Map;
 
 /**
  * One picture made by a technique.
  *
- * @param rays light rays that it was to choose
- * @param lightRays all light rays that were followed, with all that became of them
- * @param seconds of the whole render in a program that is warm, wall clock
- * @param processorSeconds of all threads meanwhile; not a number if the system does not tell
- * @param picture linear radiance
+ * @param seed of all its random choices
+ * @param values what was measured of it; not a number where nothing could be
  */
-public record StudyRun(
-        long rays, long lightRays, double seconds, double processorSeconds, LinearImage picture, PictureError error) {}
+public record StudyRun(long seed, Map<Measure, Double> values) {
+
+    public StudyRun {
+        values = new EnumMap<>(values);
+    }
+
+    /** Not a number if it was not measured. */
+    public double get(Measure measure) {
+        return values.getOrDefault(measure, Double.NaN);
+    }
+}

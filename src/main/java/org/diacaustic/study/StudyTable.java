@@ -4,8 +4,8 @@ import java.util.Locale;
 
 /** A study as text in columns. */
 final class StudyTable {
-    private static final String HEAD = "%-18s %9s %11s %8s %8s %10s %10s %9s%n";
-    private static final String LINE = "%-18s %9d %11d %8.3f %8.2f %10s %10.5f %+9.5f%n";
+    private static final String HEAD = "%-24s %9s %5s %9s %9s %10s %10s %9s%n";
+    private static final String LINE = "%-24s %9s %5d %9.3f %9.3f %10s %10.5f %+9.5f%n";
 
     private final StudyReport report;
     private final StringBuilder text = new StringBuilder();
@@ -15,48 +15,53 @@ final class StudyTable {
     }
 
     String text() {
-        add(HEAD, "technique", "rays", "light rays", "seconds", "cpu", "rRMSE", "relMAE", "bias");
+        add(HEAD, "technique", "budget", "runs", "seconds", "cpu", "rRMSE", "relMAE", "bias");
         report.studies().forEach(this::technique);
-        report.studies().stream()
-                .flatMap(study -> study.runs().stream())
-                .findFirst()
-                .ifPresent(this::reference);
+        for (ShadingStudy shading : report.shading()) {
+            StudyRun run = shading.run();
+            add(
+                    LINE,
+                    shading.shader(),
+                    "-",
+                    1,
+                    run.get(Measure.WALL_SECONDS),
+                    run.get(Measure.PROCESSOR_SECONDS),
+                    error(run.get(Measure.RMS_ERROR)),
+                    run.get(Measure.ABSOLUTE_ERROR),
+                    run.get(Measure.BRIGHTNESS));
+        }
+        report.reference()
+                .standardError()
+                .ifPresent(error -> add("the reference's own error: %.5f", report.rootMeanSquare(error)));
+        report.reference()
+                .halves()
+                .ifPresent(halves -> add("; its halves differ by %.5f", report.rootMeanSquare(halves)));
+        add("%n");
+        add("rRMSE in brackets: less than %.0f times the reference's own error%n", StudyPoint.REFERENCE_MARGIN);
         return text.toString();
     }
 
     private void technique(TechniqueStudy study) {
-        String name = study.technique().name();
-        if (!study.refusal().isEmpty()) {
-            add("%-18s %s%n", name, study.refusal());
-            return;
-        }
-        for (StudyRun run : study.runs()) {
-            PictureError error = run.error();
-            String rms = error.isResolved()
-                    ? String.format(Locale.ROOT, "%.5f", error.rms())
-                    : String.format(Locale.ROOT, "<%.5f", error.leastRms());
+        for (StudyPoint point : study.points()) {
+            String error = error(point.error());
             add(
                     LINE,
-                    name,
-                    run.rays(),
-                    run.lightRays(),
-                    run.seconds(),
-                    run.processorSeconds(),
-                    rms,
-                    error.absolute(),
-                    error.bias());
+                    study.technique().name(),
+                    point.budget().label(),
+                    point.runs().size(),
+                    point.mean(Measure.WALL_SECONDS),
+                    point.mean(Measure.PROCESSOR_SECONDS),
+                    point.isResolved() ? error : "(" + error + ")",
+                    point.mean(Measure.ABSOLUTE_ERROR),
+                    point.mean(Measure.BRIGHTNESS));
         }
-        TechniqueStudy.Slope slope = study.slope();
-        if (slope.points() > 1) {
-            add("%-18s error falls like light rays to the power %.3f", name, slope.value());
-            add(slope.points() > 2 ? " (±%.3f)%n" : "%n", slope.standardError());
+        if (!study.refusal().isEmpty()) {
+            add("%-24s %s%n", study.technique().name(), study.refusal());
         }
     }
 
-    private void reference(StudyRun any) {
-        add(
-                "on %d pixels; noise of the reference, taken out: rRMSE %.5f; it resolves errors above %.5f%n",
-                any.error().pixels(), any.error().noiseRms(), any.error().leastRms());
+    private static String error(double value) {
+        return String.format(Locale.ROOT, "%.5f", value);
     }
 
     private void add(String format, Object... values) {

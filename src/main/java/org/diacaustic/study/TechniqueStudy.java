@@ -1,38 +1,59 @@
 package org.diacaustic.study;
 
 import java.util.List;
-import org.apache.commons.math3.stat.regression.SimpleRegression;
+import java.util.function.Predicate;
+import java.util.function.ToDoubleFunction;
 
 /**
- * What a technique did, from few light rays to many.
+ * What a technique did, from small budgets to large ones.
  *
- * @param runs in the order of their rays; none if the technique was refused
+ * @param points in the order of their budgets; none if the technique was refused, or its turn has not come
  * @param refusal why it cannot render the scene; empty if it can
  */
-public record TechniqueStudy(Technique technique, List<StudyRun> runs, String refusal) {
+public record TechniqueStudy(Technique technique, List<StudyPoint> points, String refusal) {
+    /** Squared bias is told if it is this many times as large as what else is in it. */
+    private static final double CLEAR = 4;
 
     public TechniqueStudy {
-        runs = List.copyOf(runs);
-    }
-
-    /** The slope of log error by log light rays, of root mean squares, as far as the reference resolves them. */
-    public Slope slope() {
-        SimpleRegression regression = new SimpleRegression();
-        for (StudyRun run : runs) {
-            if (run.error().isResolved() && run.lightRays() > 0) {
-                regression.addData(
-                        Math.log(run.lightRays()), Math.log(run.error().rms()));
-            }
-        }
-        return new Slope(regression.getSlope(), regression.getSlopeStdErr(), regression.getN());
+        points = List.copyOf(points);
     }
 
     /**
-     * A slope that was fitted.
-     *
-     * @param value not a number if there are fewer than two points
-     * @param standardError of a straight line; not a number if there are fewer than three points
-     * @param points that it was fitted to
+     * How the root mean square error falls with what it costs, of single runs. Points that the reference does not resolve are
+     * left out.
      */
-    public record Slope(double value, double standardError, long points) {}
+    public PowerFit errorFit(Measure cost) {
+        List<StudyPoint> resolved =
+                points.stream().filter(StudyPoint::isResolved).toList();
+        return PowerFit.ofGroups(
+                resolved.stream().map(point -> point.values(cost)).toList(),
+                resolved.stream().map(point -> point.values(Measure.RMS_ERROR)).toList());
+    }
+
+    /** How the variance of a picture falls with its light rays, of points. */
+    public PowerFit varianceFit() {
+        return fit(StudyPoint::variance, point -> true);
+    }
+
+    /**
+     * How the squared bias falls with light rays, of points. Left out are points where it is not clearly more than the squared
+     * error of the reference, or less than the chance that was taken out of it.
+     */
+    public PowerFit biasFit() {
+        return fit(StudyPoint::squaredBias, TechniqueStudy::isBiasTold);
+    }
+
+    /** The mean of so many pictures still varies by variance ÷ pictures, and as much was taken out. */
+    public static boolean isBiasTold(StudyPoint point) {
+        double reference = point.referenceError() * point.referenceError();
+        double chance = point.variance() / point.runs().size();
+        return point.squaredBias() > CLEAR * reference && point.squaredBias() > chance;
+    }
+
+    private PowerFit fit(ToDoubleFunction<StudyPoint> value, Predicate<StudyPoint> counts) {
+        List<StudyPoint> counting = points.stream().filter(counts).toList();
+        return PowerFit.of(
+                counting.stream().mapToDouble(StudyPoint::rays).toArray(),
+                counting.stream().mapToDouble(value).toArray());
+    }
 }

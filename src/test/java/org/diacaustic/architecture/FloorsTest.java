@@ -45,18 +45,8 @@ class FloorsTest {
         NAMES.put("scenefile", Set.of("scene", "image"));
         NAMES.put("study", Set.of("render", "scenefile", "chart", "json"));
         NAMES.put("reproduction", Set.of("render", "scenefile", "chart", "json"));
-        NAMES.put(
-                "cli",
-                Set.of(
-                        "study",
-                        "reproduction",
-                        "render",
-                        "scenefile",
-                        "preprocess",
-                        "shader",
-                        "scene",
-                        "image",
-                        "json"));
+        NAMES.put("page", Set.of("study", "chart"));
+        NAMES.put("cli", Set.of("page", "reproduction", "render", "scenefile", "json"));
     }
 
     private final JavaClasses classes = new ClassFileImporter()

@@ -131,6 +131,40 @@ class ProcessTest {
     }
 
     @Test
+    void study_givenSignal_savesItsPointsAndSaysThatTheyAreNotAll() throws Exception {
+        assumeThat(File.separatorChar).isEqualTo('/');
+        Path out = folder.resolve("out");
+        // The second budget is one for minutes.
+        Process process = start(command(
+                "study",
+                scene,
+                "-o",
+                out,
+                "--size",
+                "40x40",
+                "--methods",
+                "random-nearest",
+                "--budgets",
+                "100,1000000000",
+                "--seeds",
+                3,
+                "--reference-rays",
+                4000,
+                "--no-cold"));
+        Path first = out.resolve("points/random-nearest@100.json");
+        long start = System.nanoTime();
+        while (!Files.exists(first)) {
+            assertThat(System.nanoTime() - start).isLessThan(PATIENCE.toNanos());
+            Thread.sleep(20);
+        }
+        new ProcessBuilder("kill", "-INT", Long.toString(process.pid())).start().waitFor();
+        assertThat(exitCode(process)).isEqualTo(130);
+        assertThat(Files.readString(errors)).contains("interrupted; 1 of 2 points are kept");
+        assertThat(Files.readString(out.resolve("study.html"))).contains("partial: 1 of 2 points");
+        assertThat(out.resolve("points/random-nearest@1000000000.json")).doesNotExist();
+    }
+
+    @Test
     void render_givenTime_endsTheProcessInTime() throws Exception {
         Path picture = folder.resolve("out.png");
         long start = System.nanoTime();

@@ -185,4 +185,14 @@ class ImageFilesTest {
                 .isInstanceOf(IOException.class)
                 .hasMessageContaining("is a folder");
     }
+
+    @Test
+    void bytes_givenEveryFormat_areThoseOfTheFile() throws IOException {
+        LinearImage image = TestImages.lively(5, 3);
+        for (ImageFormat format : ImageFormat.values()) {
+            Path file = folder.resolve("image." + format.ending());
+            ImageFiles.write(image, Exposure.fixed(2), file);
+            assertThat(ImageFiles.bytes(image, Exposure.fixed(2), format)).isEqualTo(Files.readAllBytes(file));
+        }
+    }
 }

@@ -150,7 +150,7 @@ class LightTracedPictureTest {
     /** Every pixel must lie within 4.5 standard errors of the mean of the closed form over it. */
     private static void assertAgrees(LightTracedPicture traced, DoubleUnaryOperator expected, double lateral) {
         LinearImage picture = traced.picture();
-        LinearImage error = traced.standardError();
+        LinearImage error = traced.batches().standardError();
         for (int y = 0; y < SIDE; y++) {
             for (int x = 0; x < SIDE; x++) {
                 double radiance = DIFFUSE / Math.PI * meanOverPixel(expected, lateral, x, y);
@@ -182,8 +182,8 @@ class LightTracedPictureTest {
         for (int threads : List.of(2, 5)) {
             LightTracedPicture more = traced(scene, "jittered", threads);
             assertThat(more.picture().samples()).isEqualTo(one.picture().samples());
-            assertThat(more.standardError().samples())
-                    .isEqualTo(one.standardError().samples());
+            assertThat(more.batches().standardError().samples())
+                    .isEqualTo(one.batches().standardError().samples());
             assertThat(more.lightRays()).isEqualTo(one.lightRays());
         }
     }

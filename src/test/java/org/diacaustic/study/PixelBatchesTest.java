@@ -1,8 +1,10 @@
 package org.diacaustic.study;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import org.diacaustic.image.LinearImage;
 import org.junit.jupiter.api.Test;
 
 class PixelBatchesTest {
@@ -31,5 +33,30 @@ class PixelBatchesTest {
         batches.add(0, 1, 1, 1);
         batches.next();
         assertThat(batches.standardError().samples()[0]).isNaN();
+    }
+
+    @Test
+    void halves_givenFourBatches_differByTheirMeans() {
+        // (1 + 6)/2 − (2 + 3)/2.
+        PixelBatches batches = new PixelBatches(1, 1);
+        LinearImage one = new LinearImage(1, 1);
+        one.set(0, 0, 1, 1, 1);
+        for (int value : new int[] {1, 2, 6, 3}) {
+            for (int i = 0; i < value + 1; i++) {
+                batches.add(one, 1);
+            }
+            batches.add(one, -1);
+            batches.next();
+        }
+        assertThat(batches.halves().samples()).containsExactly(1, 1, 1);
+    }
+
+    @Test
+    void halves_givenThreeBatches_areRefused() {
+        PixelBatches batches = new PixelBatches(1, 1);
+        for (int i = 0; i < 3; i++) {
+            batches.next();
+        }
+        assertThatThrownBy(batches::halves).isInstanceOf(IllegalStateException.class);
     }
 }

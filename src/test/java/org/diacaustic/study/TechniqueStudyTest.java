@@ -3,40 +3,70 @@ package org.diacaustic.study;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import org.diacaustic.image.LinearImage;
 import org.junit.jupiter.api.Test;
 
 class TechniqueStudyTest {
-    private static final Technique TECHNIQUE = new Technique("any", Technique.Way.OVER_A_MAP, Map.of());
 
     @Test
-    void slope_givenErrorsThatFallLikeAPower_isThatPower() {
-        TechniqueStudy.Slope slope = study(-0.75, 0).slope();
-        assertThat(slope.value()).isCloseTo(-0.75, within(1e-12));
-        assertThat(slope.standardError()).isCloseTo(0, within(1e-9));
-        assertThat(slope.points()).isEqualTo(4);
+    void errorFit_givenErrorsThatFallLikeAPower_isThatPower() {
+        PowerFit fit = StudyPoints.study(0, 1, 0.1, 0.01).errorFit(Measure.PROCESSOR_SECONDS);
+        assertThat(fit.power()).isCloseTo(-1, within(1e-12));
+        assertThat(fit.decades()).isCloseTo(2, within(1e-12));
     }
 
     @Test
-    void slope_givenErrorsThatTheReferenceDoesNotResolve_leavesThemOut() {
-        // 1000, 4000, 16000 and 64000 rays have errors of 1, 1/4, 1/16 and 1/64: the last two are not resolved.
-        TechniqueStudy.Slope slope = study(-1, 0.1).slope();
-        assertThat(slope.value()).isCloseTo(-1, within(1e-12));
-        assertThat(slope.points()).isEqualTo(2);
-        assertThat(study(-1, 0.5).slope().value()).isNaN();
+    void errorFit_givenErrorsThatTheReferenceDoesNotResolve_leavesThemOut() {
+        // Five times 0.01 is the least that is told.
+        PowerFit fit = StudyPoints.study(0.01, 1, 0.1, 0.04).errorFit(Measure.LIGHT_RAYS);
+        assertThat(fit.points()).isEqualTo(2);
+        assertThat(fit.power()).isCloseTo(-1, within(1e-12));
     }
 
-    private static TechniqueStudy study(double power, double resolved) {
-        List<StudyRun> runs = new ArrayList<>();
-        for (long rays = 1000; rays <= 64000; rays *= 4) {
-            double rms = Math.pow(rays / 1000.0, power);
-            PictureError error = new PictureError(rms, rms, rms, rms, 0, 0, resolved, 1);
-            // All that became of the rays counts, and here that is three times the rays.
-            runs.add(new StudyRun(rays, 3 * rays, 1, 1, new LinearImage(1, 1), error));
-        }
-        return new TechniqueStudy(TECHNIQUE, runs, "");
+    @Test
+    void errorFit_givenNoPoints_hasNoPower() {
+        assertThat(StudyPoints.study(0).errorFit(Measure.LIGHT_RAYS).power()).isNaN();
+    }
+
+    @Test
+    void errorFit_givenSeveralRuns_countsThemAll() {
+        TechniqueStudy study = study(
+                StudyPoints.point(1000, 0, 0, 0, 1.1, 0.9, 1), StudyPoints.point(10_000, 0, 0, 0, 0.11, 0.09, 0.1));
+        assertThat(study.errorFit(Measure.LIGHT_RAYS).points()).isEqualTo(6);
+        assertThat(study.errorFit(Measure.LIGHT_RAYS).power()).isCloseTo(-1, within(1e-12));
+    }
+
+    @Test
+    void varianceFit_givenVarianceThatFallsLikeOneOverRays_isMinusOne() {
+        TechniqueStudy study = study(
+                StudyPoints.point(1000, 1e-9, 1e-2, 0, 1, 1),
+                StudyPoints.point(10_000, 1e-9, 1e-3, 0, 1, 1),
+                StudyPoints.point(100_000, 1e-9, 1e-4, 0, 1, 1));
+        assertThat(study.varianceFit().power()).isCloseTo(-1, within(1e-12));
+    }
+
+    @Test
+    void biasFit_givenBiasThatReferenceOrChanceMayExplain_leavesItOut() {
+        TechniqueStudy study = study(
+                // As large as a mean of two varies.
+                StudyPoints.point(100, 4e-2, 1e-1, 1e-3, 1, 1),
+                StudyPoints.point(1000, 1e-2, 1e-3, 1e-3, 1, 1),
+                StudyPoints.point(10_000, 1e-4, 1e-5, 1e-3, 1, 1),
+                // Below four times the squared error of the reference, and below 0 by chance.
+                StudyPoints.point(100_000, 3e-6, 1e-7, 1e-3, 1, 1),
+                StudyPoints.point(1_000_000, -1e-7, 1e-7, 1e-3, 1, 1));
+        assertThat(study.biasFit().points()).isEqualTo(2);
+        assertThat(study.biasFit().power()).isCloseTo(-2, within(1e-12));
+    }
+
+    @Test
+    void fits_givenSingleRuns_knowNoVarianceAndNoBias() {
+        TechniqueStudy study = StudyPoints.study(0, 1, 0.1, 0.01);
+        assertThat(study.varianceFit().points()).isZero();
+        assertThat(study.biasFit().points()).isZero();
+    }
+
+    private static TechniqueStudy study(StudyPoint... points) {
+        return new TechniqueStudy(StudyPoints.TECHNIQUE, List.of(points), "");
     }
 }
