@@ -68,7 +68,7 @@ final class ColdProcesses {
         } finally {
             Files.delete(picture);
         }
-        return new ColdTimes(start, budget, renders);
+        return new ColdTimes(start < Double.POSITIVE_INFINITY ? start : Double.NaN, budget, renders);
     }
 
     private List<String> arguments(Technique technique, StudyPoint point, Path picture) {
@@ -99,6 +99,9 @@ final class ColdProcesses {
                 .redirectError(ProcessBuilder.Redirect.DISCARD)
                 .start();
         running = process;
+        if (isCancelled) {
+            process.destroy();
+        }
         try {
             int code = process.waitFor();
             double taken = (System.nanoTime() - start) * 1e-9;

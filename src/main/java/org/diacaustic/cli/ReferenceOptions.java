@@ -4,12 +4,14 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.Optional;
 import org.diacaustic.render.ProgressListener;
 import org.diacaustic.study.Reference;
 import org.diacaustic.study.ReferenceBudget;
 import org.diacaustic.study.ReferenceRender;
 import org.diacaustic.study.SceneSource;
+import org.diacaustic.study.StudyFolder;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -66,9 +68,9 @@ final class ReferenceOptions {
     }
 
     /** What was asked for, in words. */
-    String text(boolean quick) {
+    String text(boolean quick) throws IOException {
         if (file != null) {
-            return file.toAbsolutePath().normalize().toString();
+            return file.toAbsolutePath().normalize() + ", " + Digest.of(file);
         }
         String amount = time != null ? time.seconds() + " s" : count(quick) + " rays";
         return amount + ", " + preProcessor;
@@ -79,21 +81,29 @@ final class ReferenceOptions {
     }
 
     /**
-     * Reads or renders the reference.
+     * Reads or renders the reference, and keeps it.
      *
      * @return nothing if it was interrupted
      */
-    Optional<Reference> make(SceneSource source, int threads, boolean quick, ProgressListener listener)
+    Optional<Reference> make(
+            SceneSource source, int threads, boolean quick, ProgressListener listener, StudyFolder folder)
             throws IOException {
         if (file != null) {
-            return Optional.of(Reference.read(file));
+            Reference read = Reference.read(file);
+            read.requireSizeOf(source.read(Map.of()).scene().camera());
+            folder.keep(read);
+            return Optional.of(read);
         }
         ReferenceBudget budget =
                 time == null ? new ReferenceBudget.Rays(count(quick)) : new ReferenceBudget.Seconds(time.seconds());
         ReferenceRender render = new ReferenceRender(source, preProcessor, threads);
         Interruption interruption = Interruption.cancelling(render::cancel);
         try {
-            return render.run(budget, listener);
+            Optional<Reference> made = render.run(budget, listener);
+            if (made.isPresent()) {
+                folder.keep(made.get());
+            }
+            return made;
         } finally {
             interruption.saved();
         }

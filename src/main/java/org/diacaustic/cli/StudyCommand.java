@@ -3,10 +3,7 @@ package org.diacaustic.cli;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
-import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -155,22 +152,20 @@ final class StudyCommand implements Callable<Integer> {
         for (Technique technique : request.techniques()) {
             input.readAgain(technique.overrides());
         }
+        SceneSource source = input::readAgain;
+        Study.requireComparable(source);
         Files.createDirectories(output);
         WholeFile.checkWritable(output.resolve("study.html"));
         StudyFolder folder = StudyFolder.open(output, identity(request), restart);
-        SceneSource source = input::readAgain;
         Optional<Reference> kept = folder.reference();
         Optional<Reference> reference = kept.isPresent()
                 ? kept
-                : referenceOptions.make(source, workers(), quick, progress.listener(System.err));
+                : referenceOptions.make(source, workers(), quick, progress.listener(System.err), folder);
         if (reference.isEmpty()) {
             System.err.println("diacaustic: interrupted before the reference was whole; nothing is kept");
             return ExitCode.LIMIT;
         }
         Study study = new Study(source, request, reference.get(), folder);
-        if (kept.isEmpty()) {
-            folder.keep(reference.get());
-        }
         ColdProcesses cold = new ColdProcesses(input, workers());
         Interruption interruption = Interruption.cancelling(() -> {
             study.cancel();
@@ -222,21 +217,14 @@ final class StudyCommand implements Callable<Integer> {
     private Map<String, String> identity(StudyRequest request) throws IOException {
         Map<String, String> identity = new LinkedHashMap<>();
         identity.put("program", request.machine().program());
-        identity.put("scene", digest(Files.readAllBytes(input.path())));
+        identity.put("java", request.machine().java());
+        identity.put("processor", request.machine().processor());
+        identity.put("scene", Digest.of(input.path()));
         identity.put("options", String.join(" ", input.optionTexts()));
         identity.put("reference", referenceOptions.text(quick));
         identity.put("seeds", Integer.toString(request.seeds()));
         identity.put("threads", Integer.toString(request.threads()));
         return identity;
-    }
-
-    private static String digest(byte[] bytes) {
-        try {
-            byte[] digest = MessageDigest.getInstance("SHA-256").digest(bytes);
-            return HexFormat.of().formatHex(digest, 0, 8);
-        } catch (NoSuchAlgorithmException impossible) {
-            throw new IllegalStateException("every virtual machine has SHA-256", impossible);
-        }
     }
 
     private int workers() {

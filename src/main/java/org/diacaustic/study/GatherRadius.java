@@ -71,7 +71,10 @@ final class GatherRadius {
             Budget middle = request.budgets().get(request.budgets().size() / 2);
             long rays = middle instanceof Budget.Rays given ? given.count() : RAYS;
             RenderPlan plan = render.plan(rays, 1, render.seed());
-            ForwardPlan forward = plan.forward().orElseThrow();
+            if (plan.forward().isEmpty()) {
+                return 0;
+            }
+            ForwardPlan forward = plan.forward().get();
             MapBuilder builder = new MapBuilder(forward, workers);
             builder.build(
                     plan.scene().camera(),

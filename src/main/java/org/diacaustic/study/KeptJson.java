@@ -25,7 +25,12 @@ final class KeptJson {
 
     static Map<String, String> texts(String text) {
         Map<String, String> texts = new LinkedHashMap<>();
-        read(text).forEach((key, value) -> texts.put(key.toString(), String.valueOf(value)));
+        try {
+            read(text).forEach((key, value) -> texts.put(key.toString(), String.valueOf(value)));
+        } catch (RuntimeException cutShort) {
+            // Whatever it said, it was not this.
+            texts.clear();
+        }
         return texts;
     }
 
@@ -38,9 +43,17 @@ final class KeptJson {
         return json.end().toString();
     }
 
-    /** The pictures of a reference that was read, with the facts that were kept beside them. */
-    static Reference withFacts(Reference pictures, String text) {
-        Map<?, ?> facts = read(text);
+    /** The pictures of a reference that was read, with the facts that were kept beside them; nothing if those cannot be read. */
+    static Optional<Reference> withFacts(Reference pictures, String text) {
+        try {
+            return Optional.of(withFacts(pictures, read(text)));
+        } catch (RuntimeException cutShort) {
+            // As good as none.
+            return Optional.empty();
+        }
+    }
+
+    private static Reference withFacts(Reference pictures, Map<?, ?> facts) {
         return new Reference(
                 Reference.Origin.valueOf(facts.get("origin").toString()),
                 pictures.picture(),
@@ -77,12 +90,17 @@ final class KeptJson {
         json.end();
     }
 
-    /** The point; nothing if the technique had other settings then. */
+    /** The point; nothing if the technique had other settings then, or it cannot be read. */
     static Optional<StudyPoint> point(Technique technique, Budget budget, String text) {
-        Map<?, ?> members = read(text);
-        return settings(technique).equals(members.get(SETTINGS))
-                ? Optional.of(point(budget, members))
-                : Optional.empty();
+        try {
+            Map<?, ?> members = read(text);
+            return settings(technique).equals(members.get(SETTINGS))
+                    ? Optional.of(point(budget, members))
+                    : Optional.empty();
+        } catch (RuntimeException cutShort) {
+            // As good as none.
+            return Optional.empty();
+        }
     }
 
     private static String settings(Technique technique) {

@@ -4,7 +4,7 @@ import org.diacaustic.parallel.StopSignal;
 
 /** Finds by trying how many light rays a picture may have that is to take a given time. */
 final class RaysForTime {
-    private static final long FIRST_TRIAL = 4096;
+    static final long FIRST_TRIAL = 4096;
 
     /** From trial to trial. */
     private static final int STEP = 4;
@@ -28,7 +28,13 @@ final class RaysForTime {
         }
         double fewer = before == 0 ? 0 : (double) rays / STEP;
         double secondsARay = Math.max((taken - before) / (rays - fewer), 0.5 * taken / rays);
-        return Math.max(1, Math.min(MOST, (long) (rays + (seconds - taken) / secondsARay)));
+        long foretold = Math.max(1, Math.min(MOST, (long) (rays + (seconds - taken) / secondsARay)));
+        if (stop.isSet()) {
+            return foretold;
+        }
+        // A single slow trial may have said too much; one of the whole length says how much.
+        double correction = Math.max(1.0 / STEP, Math.min(STEP, seconds / seconds(foretold, render, seed)));
+        return Math.max(1, (long) Math.min(MOST, foretold * correction));
     }
 
     private static double seconds(long rays, TechniqueRender render, long seed) {

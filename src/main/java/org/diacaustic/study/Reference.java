@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.diacaustic.image.Exposure;
 import org.diacaustic.image.ImageFiles;
 import org.diacaustic.image.LinearImage;
+import org.diacaustic.scene.Camera;
 
 /**
  * What a picture is held against.
@@ -57,11 +58,24 @@ public record Reference(
     /** Writes what {@link #read} reads. */
     void write(Path file) throws IOException {
         ImageFiles.write(picture, Exposure.fixed(1), file);
-        if (standardError.isPresent()) {
-            ImageFiles.write(standardError.get(), Exposure.fixed(1), beside(file, ERROR_ENDING));
+        writeOrDelete(standardError, beside(file, ERROR_ENDING));
+        writeOrDelete(halves, beside(file, HALVES_ENDING));
+    }
+
+    /** What lies there may be of another reference. */
+    private static void writeOrDelete(Optional<LinearImage> image, Path file) throws IOException {
+        if (image.isPresent()) {
+            ImageFiles.write(image.get(), Exposure.fixed(1), file);
+        } else {
+            Files.deleteIfExists(file);
         }
-        if (halves.isPresent()) {
-            ImageFiles.write(halves.get(), Exposure.fixed(1), beside(file, HALVES_ENDING));
+    }
+
+    /** @throws IllegalArgumentException if it is not of the picture's size */
+    public void requireSizeOf(Camera camera) {
+        if (picture.width() != camera.width() || picture.height() != camera.height()) {
+            throw new IllegalArgumentException("the images differ in size: the reference is " + picture
+                    + ", the pictures are " + camera.width() + " x " + camera.height());
         }
     }
 

@@ -45,7 +45,7 @@ public final class Study {
 
     /**
      * @throws IOException if the scene cannot be read
-     * @throws IllegalArgumentException if the reference is not of the picture's size, or no pixel counts
+     * @throws IllegalArgumentException if the reference is not of the picture's size
      */
     public Study(SceneSource source, StudyRequest request, Reference reference, StudyFolder folder) throws IOException {
         SceneFile file = source.read(Map.of());
@@ -57,14 +57,33 @@ public final class Study {
         this.source = overrides -> new SceneFile(scene, source.read(overrides).settings());
         this.reference = reference;
         this.pixels = DiffusePixels.of(scene);
-        if (pixels.count() == 0) {
-            throw new IllegalArgumentException(
-                    "no pixel shows one diffuse object and nothing else, so none can be compared");
-        }
         Technique none = new Technique("direct light", Technique.Way.OVER_A_MAP, Map.of(), 0);
         this.meter = new ErrorMeter(
                 reference, new TechniqueRender(this.source, none, new Workers(request.threads())).direct(), pixels);
         this.exposure = Exposure.auto(reference.picture());
+    }
+
+    /**
+     * Finds out whether there is anything to compare, before time is spent on a reference.
+     *
+     * @throws IOException if the scene cannot be read
+     * @throws IllegalArgumentException if there is not
+     */
+    public static void requireComparable(SceneSource source) throws IOException {
+        if (DiffusePixels.of(source.read(Map.of()).scene()).count() == 0) {
+            throw new IllegalArgumentException(
+                    "no pixel shows one diffuse object and nothing else, so none can be compared");
+        }
+        Technique random = new Technique(
+                "random",
+                Technique.Way.OVER_A_MAP,
+                Map.of("preprocessor", "random", "map", "photon-map", "estimator", "nearest"),
+                0);
+        TechniqueRender render = new TechniqueRender(source, random, new Workers(1));
+        if (render.plan(1, 1, render.seed()).forward().isEmpty()) {
+            throw new IllegalArgumentException(
+                    "no light reaches anything after being refracted or mirrored, so there is nothing to compare");
+        }
     }
 
     /** A technique, and how far it came. */
@@ -184,12 +203,13 @@ public final class Study {
 
     private void warm(Contestant contestant) {
         running = contestant.render;
+        long rays = request.budgets().get(0) instanceof Budget.Rays given ? given.count() : RaysForTime.FIRST_TRIAL;
         Clock clock = new Clock();
         try {
             for (int i = 0;
                     i < WARMING_PICTURES && clock.wallSeconds() < WARMING_SECONDS && isRunning(contestant);
                     i++) {
-                contestant.render.render(rays(request.budgets().get(0), contestant), seed);
+                contestant.render.render(rays, seed);
             }
         } catch (PlanException refused) {
             contestant.refusal = refused.getMessage();

@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -30,54 +31,46 @@ public final class StudyFolder implements StudyPictures {
 
     private final Path folder;
 
-    private StudyFolder(Path folder) {
+    private final Map<String, String> identity;
+    private final boolean isNew;
+
+    private StudyFolder(Path folder, Map<String, String> identity, boolean isNew) {
         this.folder = folder;
+        this.identity = identity;
+        this.isNew = isNew;
     }
 
     /**
      * Opens a folder, which is made if it is not there.
      *
      * @param identity everything on which the numbers of a point depend, in words
-     * @param isNew whether what is kept there is to be forgotten
+     * @param isNew whether what is kept there is to be forgotten, as soon as there is a reference to begin with
      * @throws IllegalArgumentException if points of another study are there
      * @throws IOException if the folder cannot be read or written
      */
     public static StudyFolder open(Path folder, Map<String, String> identity, boolean isNew) throws IOException {
-        StudyFolder opened = new StudyFolder(folder);
-        Path kept = folder.resolve(POINTS);
-        if (isNew && Files.isDirectory(kept)) {
-            opened.forget();
+        for (String within : List.of(POINTS, PICTURES, CHARTS)) {
+            Files.createDirectories(folder.resolve(within));
         }
-        Files.createDirectories(kept);
-        Files.createDirectories(folder.resolve(PICTURES));
-        Files.createDirectories(folder.resolve(CHARTS));
-        Path file = kept.resolve(IDENTITY);
-        if (Files.exists(file)) {
-            opened.requireSame(KeptJson.texts(Files.readString(file)), identity);
-        } else {
-            WholeFile.checkWritable(file);
-            write(file, KeptJson.of(identity));
+        StudyFolder opened = new StudyFolder(folder, identity, isNew);
+        if (!isNew && opened.reference().isPresent()) {
+            opened.requireSame(KeptJson.texts(Files.readString(opened.kept(IDENTITY))));
         }
         return opened;
     }
 
-    private void forget() throws IOException {
-        try (Stream<Path> files = Files.list(folder.resolve(POINTS))) {
-            for (Path file :
-                    files.filter(name -> name.toString().endsWith(".json")).toList()) {
-                Files.delete(file);
+    private void requireSame(Map<String, String> there) {
+        for (Map.Entry<String, String> entry : identity.entrySet()) {
+            String other = there.getOrDefault(entry.getKey(), "nothing");
+            if (!other.equals(entry.getValue())) {
+                throw new IllegalArgumentException(folder + ": holds a study with " + entry.getKey() + " " + other
+                        + ", but this one has " + entry.getValue() + "; take another folder, or --restart");
             }
         }
     }
 
-    private void requireSame(Map<String, String> there, Map<String, String> here) {
-        for (Map.Entry<String, String> entry : here.entrySet()) {
-            String kept = there.getOrDefault(entry.getKey(), "nothing");
-            if (!kept.equals(entry.getValue())) {
-                throw new IllegalArgumentException(folder + ": holds a study with " + entry.getKey() + " " + kept
-                        + ", but this one has " + entry.getValue() + "; take another folder, or --restart");
-            }
-        }
+    private Path kept(String name) {
+        return folder.resolve(POINTS).resolve(name);
     }
 
     /** The folder itself. */
@@ -85,21 +78,27 @@ public final class StudyFolder implements StudyPictures {
         return folder;
     }
 
-    /** The reference that was kept; nothing if none was. */
+    /** The reference that was kept; nothing if none was, or if it is to be forgotten. */
     public Optional<Reference> reference() throws IOException {
-        Path facts = folder.resolve(POINTS).resolve(REFERENCE_FACTS);
-        if (!Files.exists(facts)) {
+        if (isNew || !Files.exists(kept(REFERENCE_FACTS)) || !Files.exists(kept(IDENTITY))) {
             return Optional.empty();
         }
         Reference read = Reference.read(folder.resolve(REFERENCE));
-        return Optional.of(KeptJson.withFacts(read, Files.readString(facts)));
+        return KeptJson.withFacts(read, Files.readString(kept(REFERENCE_FACTS)));
     }
 
-    /** Keeps a reference. */
+    /** Begins a study with its reference; what was kept of another is forgotten. */
     public void keep(Reference reference) throws IOException {
+        try (Stream<Path> files = Files.list(folder.resolve(POINTS))) {
+            for (Path file :
+                    files.filter(name -> name.toString().endsWith(".json")).toList()) {
+                Files.delete(file);
+            }
+        }
         reference.write(folder.resolve(REFERENCE));
         ImageFiles.write(reference.picture(), Exposure.auto(reference.picture()), folder.resolve("reference.png"));
-        write(folder.resolve(POINTS).resolve(REFERENCE_FACTS), KeptJson.of(reference));
+        write(kept(IDENTITY), KeptJson.of(identity));
+        write(kept(REFERENCE_FACTS), KeptJson.of(reference));
     }
 
     /** The point that was kept; nothing if none was, or if the technique had other settings then. */
@@ -130,7 +129,7 @@ public final class StudyFolder implements StudyPictures {
     }
 
     private Path pointFile(Technique technique, Budget budget) {
-        return folder.resolve(POINTS).resolve(technique.name() + "@" + budget.label() + ".json");
+        return kept(technique.name() + "@" + budget.label() + ".json");
     }
 
     private Path pictureFile(Technique technique, Budget budget, String ending) {

@@ -1,7 +1,9 @@
 package org.diacaustic.study;
 
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 
 /**
  * What a study is to do.
@@ -35,13 +37,26 @@ public record StudyRequest(
     /** Light rays and eye rays of a picture up to which it is cheap. */
     private static final double CHEAP = 250_000;
 
-    /** @throws IllegalArgumentException if there is nothing to compare */
+    /** @throws IllegalArgumentException if there is nothing to compare, or something twice */
     public StudyRequest {
         techniques = List.copyOf(techniques);
         budgets = budgets.stream().sorted(FROM_SMALL_TO_LARGE).toList();
+        requireDistinct(
+                "techniques named", techniques.stream().map(Technique::name).toList());
+        requireDistinct("budgets of", budgets.stream().map(Budget::label).toList());
         if (techniques.isEmpty() || budgets.isEmpty() || seeds < 1) {
             throw new IllegalArgumentException("a study needs techniques, budgets and seeds, but has "
                     + techniques.size() + ", " + budgets.size() + " and " + seeds);
+        }
+    }
+
+    /** Points are kept by these names. */
+    private static void requireDistinct(String what, List<String> names) {
+        Set<String> seen = new HashSet<>();
+        for (String name : names) {
+            if (!seen.add(name)) {
+                throw new IllegalArgumentException("there are two " + what + " '" + name + "'");
+            }
         }
     }
 

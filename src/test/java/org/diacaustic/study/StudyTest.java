@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import org.diacaustic.page.StudyPage;
 import org.diacaustic.preprocess.PreProcessor;
@@ -73,6 +74,9 @@ class StudyTest {
     }
 
     private StudyReport run(StudyRequest request, Reference reference) throws IOException {
+        if (open().reference().isEmpty()) {
+            open().keep(reference);
+        }
         return new Study(source(SCENE), request, reference, open()).run((done, total) -> {});
     }
 
@@ -80,6 +84,12 @@ class StudyTest {
     void request_givenNothingToCompare_isRefused() {
         assertThatThrownBy(() -> request("caustic-mesh", 1)).isInstanceOf(IllegalArgumentException.class);
         assertThatThrownBy(() -> request("caustic-mesh", 0, 1000)).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> request("caustic-mesh", 1, 1000, 1000)).hasMessageContaining("two budgets of '1000'");
+        List<Technique> twice =
+                List.of(Techniques.known().get(0), Techniques.known().get(0));
+        List<Budget> budgets = List.of(new Budget.Rays(1));
+        assertThatThrownBy(() -> new StudyRequest("", "", null, twice, budgets, 1, 1))
+                .hasMessageContaining("two techniques named 'caustic-mesh'");
     }
 
     @Test
@@ -169,6 +179,7 @@ class StudyTest {
     void run_givenAStopAfterSomePoints_goesOnWhereItWas() throws IOException {
         Reference reference = reference("random", 30_000);
         StudyRequest request = request("random-density,caustic-mesh", 2, 1000, 4000, 8000);
+        open().keep(reference);
         Study stopped = new Study(source(SCENE), request, reference, open());
         StudyReport part = stopped.run((done, total) -> {
             if (done > total / 4) {
@@ -201,12 +212,47 @@ class StudyTest {
     }
 
     @Test
-    void open_givenAnotherStudy_isRefused() throws IOException {
-        open();
-        assertThatThrownBy(() -> StudyFolder.open(folder, Map.of("scene", "cube"), false))
+    void open_givenAnotherStudy_isRefusedUntilItIsForgotten() throws IOException {
+        Reference reference = reference("random", 1000);
+        // Nothing is kept before there is a reference.
+        StudyFolder.open(folder, Map.of("scene", "cone"), false);
+        open().keep(reference);
+        Map<String, String> other = Map.of("scene", "cube");
+        assertThatThrownBy(() -> StudyFolder.open(folder, other, false))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("holds a study with scene ball, but this one has cube; take another folder, or");
-        StudyFolder.open(folder, Map.of("scene", "cube"), true);
+        // Asking to forget forgets nothing yet.
+        StudyFolder restarted = StudyFolder.open(folder, other, true);
+        assertThat(open().reference()).isPresent();
+        Reference bare =
+                new Reference(Reference.Origin.GIVEN, reference.picture(), Optional.empty(), Optional.empty(), 0, 0, 0);
+        restarted.keep(bare);
+        Reference kept = StudyFolder.open(folder, other, false).reference().orElseThrow();
+        assertThat(kept.standardError()).as("of the reference before").isEmpty();
+        assertThat(kept.halves()).isEmpty();
+    }
+
+    @Test
+    void run_givenAPointThatWasCutShort_rendersItAgain() throws IOException {
+        Reference reference = reference("random", 30_000);
+        StudyRequest request = request("random-nearest", 2, 1000);
+        StudyReport first = run(request, reference);
+        for (String damaged : new String[] {"", "{\"settings\": \"INTO", "[1]"}) {
+            Files.writeString(folder.resolve("points/random-nearest@1000.json"), damaged);
+            assertThat(repeatable(run(request, reference))).isEqualTo(repeatable(first));
+        }
+    }
+
+    @Test
+    void requireComparable_givenNothingToCompare_isRefused() throws IOException {
+        Study.requireComparable(source(SCENE));
+        assertThatThrownBy(() -> Study.requireComparable(source(SCENE.replace("transparency: 1, ", "diffuse: 1, "))))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("nothing to compare");
+        assertThatThrownBy(
+                        () -> Study.requireComparable(source(SCENE.replace("to: [-1.2, 0, 0]", "to: [-2, 12, 5.1]"))))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("no pixel shows");
     }
 
     @Test
