@@ -102,10 +102,6 @@ public final class SvgCanvas implements Canvas {
         return points.toString();
     }
 
-    public void dot(double x, double y, double radius, String color) {
-        append("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"%s\"/>", x, y, radius, color);
-    }
-
     /** What follows is measured in units of its own from a rectangle's top left corner, and seen within the rectangle only. */
     public void beginClip(double x, double y, double width, double height, double unit) {
         append(
