@@ -57,11 +57,11 @@ final class ArrangedIndex implements PhotonIndex {
                 int photon = nearest.photon(i);
                 count(tree.red[photon], tree.green[photon], tree.blue[photon]);
                 if (!enough) {
-                    farthestSquared = Math.max(farthestSquared, nearest.distanceSquared(i) * squaredUnit);
+                    farthestSquared = Math.max(farthestSquared, nearest.distanceSquaredInUnits(i) * squaredUnit);
                 }
             }
             if (enough) {
-                farthestSquared = nearest.distanceSquared(count - 1) * squaredUnit;
+                farthestSquared = nearest.distanceSquaredInUnits(count - 1) * squaredUnit;
             }
         }
     }

@@ -46,9 +46,14 @@ public record Exposure(double factor, ToneMapping toneMapping) {
         return new Exposure(factor, mapping);
     }
 
+    /** The linear display value in 0..1 of one channel of radiance; not-a-number stays so. */
+    public double display(double radiance) {
+        return toneMapping.map(factor * radiance);
+    }
+
     /** The sRGB code 0..255 of one channel of radiance; 0 for negative values and not-a-number, 255 for +∞. */
     public int srgb8(double radiance) {
-        return SrgbCurve.encodeByte(toneMapping.map(factor * radiance));
+        return SrgbCurve.encodeByte(display(radiance));
     }
 
     /** As {@code Color.luminance()}, without making a colour. */

@@ -31,8 +31,9 @@ record ImageSource(InputStream in, long limit) {
             throw new IOException("the header names a size of " + width + " x " + height + " pixels");
         }
         if (width > ImageFormat.LARGEST_SIDE || height > ImageFormat.LARGEST_SIDE) {
-            throw new IOException("the header names a size of " + width + " x " + height + " pixels; sides of at most "
-                    + ImageFormat.LARGEST_SIDE + " are read");
+            // Sides of any number of digits: the product of some is no long, and the nearest one tells enough.
+            long about = (long) (LinearImage.bytes(1, 1) * (double) width * height);
+            throw new ImageTooLargeException(width, height, about, Math.min(limit, LinearImage.LARGEST_BYTES));
         }
         long needed = LinearImage.bytes(width, height) + decodingBytes;
         if (needed > limit || !LinearImage.fits(width, height)) {

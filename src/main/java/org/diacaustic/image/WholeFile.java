@@ -63,7 +63,8 @@ public final class WholeFile {
     /**
      * Checks that {@link #write} can be expected to work, leaving everything as it was.
      *
-     * @throws IOException if the folder does not exist or cannot be written to, or the path names a folder or a device
+     * @throws IOException if the folder does not exist or cannot be written to, or the path names a folder, a
+     *     device or a file that may not be written
      */
     public static void checkWritable(Path path) throws IOException {
         Path folder = folderOf(path);
@@ -78,6 +79,10 @@ public final class WholeFile {
         }
         if (Files.exists(path) && !Files.isRegularFile(path)) {
             throw new FileSystemException(path.toString(), null, "is a device, not a file");
+        }
+        if (Files.exists(path) && !Files.isWritable(path)) {
+            // A move would replace it all the same, which is not what whoever locked it wants.
+            throw new FileSystemException(path.toString(), null, "is there already and may not be written");
         }
         try {
             // Permissions do not tell all: some file systems refuse new files to everyone.

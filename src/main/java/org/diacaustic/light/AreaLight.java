@@ -75,6 +75,11 @@ abstract class AreaLight implements Light {
     }
 
     @Override
+    public final Color flux() {
+        return radiance.times(Math.PI * area());
+    }
+
+    @Override
     public final double depositFactor(double distance) {
         return falloff.besideSpreading(distance);
     }

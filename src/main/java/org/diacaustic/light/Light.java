@@ -1,5 +1,6 @@
 package org.diacaustic.light;
 
+import org.diacaustic.math.Color;
 import org.diacaustic.math.Ray;
 import org.diacaustic.math.Rgb;
 
@@ -66,6 +67,15 @@ public interface Light {
      */
     default void emit(LightPoint point, double dx, double dy, double dz, Rgb intensity) {
         throw new UnsupportedOperationException("this light sends out no light rays");
+    }
+
+    /**
+     * All that this light sends out, in W: the integral of {@link #emit} over all directions, for the mean of its points.
+     *
+     * @throws UnsupportedOperationException if its rays are parallel, and so without end side by side, or it sends none
+     */
+    default Color flux() {
+        throw new UnsupportedOperationException("this light has no flux of a finite size");
     }
 
     /**

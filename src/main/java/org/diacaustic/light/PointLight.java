@@ -49,6 +49,11 @@ public record PointLight(Vector3 position, Color intensity, Falloff falloff, dou
     }
 
     @Override
+    public Color flux() {
+        return intensity.times(4 * Math.PI);
+    }
+
+    @Override
     public double depositFactor(double distance) {
         return falloff.besideSpreading(distance);
     }

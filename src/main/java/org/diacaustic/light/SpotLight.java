@@ -1,6 +1,5 @@
 package org.diacaustic.light;
 
-import org.diacaustic.math.Arithmetic;
 import org.diacaustic.math.Color;
 import org.diacaustic.math.Rgb;
 import org.diacaustic.math.Vector3;
@@ -15,8 +14,8 @@ public final class SpotLight implements Light {
     private final Color intensity;
     private final Falloff falloff;
     private final double highlightExponent;
-    private final double cosInner;
-    private final double cosOuter;
+    private final double innerSpread;
+    private final double outerSpread;
 
     /**
      * @param direction where the spot shines, any length but 0
@@ -40,8 +39,8 @@ public final class SpotLight implements Light {
         this.intensity = Emission.checked(intensity, "intensity");
         this.falloff = falloff;
         this.highlightExponent = Emission.checkedExponent(highlightExponent);
-        this.cosInner = StrictMath.cos(StrictMath.toRadians(innerDegrees));
-        this.cosOuter = StrictMath.cos(StrictMath.toRadians(outerDegrees));
+        this.innerSpread = spread(innerDegrees);
+        this.outerSpread = spread(outerDegrees);
     }
 
     @Override
@@ -49,21 +48,30 @@ public final class SpotLight implements Light {
         if (!sample.towards(position.x(), position.y(), position.z(), x, y, z)) {
             return false;
         }
-        double cos = -(sample.directionX * axis.x() + sample.directionY * axis.y() + sample.directionZ * axis.z());
-        double share = share(cos);
+        double share = share(-sample.directionX, -sample.directionY, -sample.directionZ);
         sample.irradiance.set(intensity).scale(share * falloff.at(sample.distance));
         return share > 0;
     }
 
-    /** The fraction of the full intensity in a direction at angle acos(cos) from the axis. */
-    private double share(double cos) {
-        if (cos >= cosInner) {
+    /** 2·(1 − cosθ) of an angle, as 4·sin²(θ/2), which the narrowest cones have digits of. */
+    private static double spread(double degrees) {
+        double sine = StrictMath.sin(StrictMath.toRadians(degrees) / 2);
+        return 4 * sine * sine;
+    }
+
+    /** The fraction of the full intensity in a unit direction; its spread is its distance from the axis, squared. */
+    private double share(double dx, double dy, double dz) {
+        double ex = dx - axis.x();
+        double ey = dy - axis.y();
+        double ez = dz - axis.z();
+        double spread = Math.min(4, ex * ex + ey * ey + ez * ez);
+        if (spread <= innerSpread) {
             return 1;
         }
-        if (!(cos > cosOuter)) {
+        if (!(spread < outerSpread)) {
             return 0;
         }
-        double step = Arithmetic.clamp((cos - cosOuter) / (cosInner - cosOuter), 0, 1);
+        double step = (outerSpread - spread) / (outerSpread - innerSpread);
         return step * step * (3 - 2 * step);
     }
 
@@ -84,7 +92,13 @@ public final class SpotLight implements Light {
 
     @Override
     public void emit(LightPoint point, double dx, double dy, double dz, Rgb out) {
-        out.set(intensity).scale(share(dx * axis.x() + dy * axis.y() + dz * axis.z()));
+        out.set(intensity).scale(share(dx, dy, dz));
+    }
+
+    /** The smooth step stands for half of the cone that it fills. */
+    @Override
+    public Color flux() {
+        return intensity.times(Math.PI / 2 * (innerSpread + outerSpread));
     }
 
     @Override

@@ -40,16 +40,20 @@ public final class CausticMesh implements IlluminationMap {
     private final Vector3 origin;
     private final double lengthUnit;
     private final double powerUnit;
+    private final double largestExtent;
 
     private CausticMesh(CellStore store, Workers workers) {
         int size = store.size();
         origin = store.origin();
         powerUnit = store.powerUnit();
-        lengthUnit = lengthUnit(store, workers);
+        double unit = unit(store, workers);
+        lengthUnit = unit * store.lengthUnit();
         numbers = new float[NUMBERS * size];
         tags = new int[2 * size];
         seeds = store.keepsSeeds() ? new CellSeeds(size) : null;
-        tree = tree(store, workers);
+        float[] extents = new float[size];
+        tree = tree(store, unit, extents, workers);
+        largestExtent = largest(extents);
         store.forget();
     }
 
@@ -61,8 +65,8 @@ public final class CausticMesh implements IlluminationMap {
         return new CausticMesh(store, workers);
     }
 
-    /** A power of two about as large as the farthest offset of a vertex from the origin. */
-    private static double lengthUnit(CellStore store, Workers workers) {
+    /** A power of two about as large as the farthest offset of a vertex from the origin, in units of the store. */
+    private static double unit(CellStore store, Workers workers) {
         int tasks = tasks(store.size());
         double[] largest = new double[tasks];
         workers.run(tasks, () -> {
@@ -84,15 +88,23 @@ public final class CausticMesh implements IlluminationMap {
         return farthest == 0 ? 1 : Arithmetic.powerOfTwoNear(farthest);
     }
 
-    private BoxTree tree(CellStore store, Workers workers) {
+    private static double largest(float[] extents) {
+        double largest = 0;
+        for (float extent : extents) {
+            largest = Math.max(largest, extent);
+        }
+        return largest;
+    }
+
+    /** @param extents set to the longest side of each cell's box, in units of length, in any order */
+    private BoxTree tree(CellStore store, double unit, float[] extents, Workers workers) {
         int size = store.size();
         float[] x = new float[size];
         float[] y = new float[size];
         float[] z = new float[size];
-        float[] extents = new float[size];
         int[] order = new int[size];
         workers.run(tasks(size), () -> {
-            CellReader reader = new CellReader(store, lengthUnit);
+            CellReader reader = new CellReader(store, unit);
             return task -> {
                 int end = end(task, size);
                 for (int cell = task * TASK; cell < end; cell++) {
@@ -113,7 +125,7 @@ public final class CausticMesh implements IlluminationMap {
                 order,
                 LARGEST_LEAF,
                 () -> {
-                    CellReader reader = new CellReader(store, lengthUnit);
+                    CellReader reader = new CellReader(store, unit);
                     return (leaf, first, end, boxes, place) -> arrange(reader, order, first, end, boxes, place);
                 },
                 workers);
@@ -187,6 +199,11 @@ public final class CausticMesh implements IlluminationMap {
 
     Vector3 origin() {
         return origin;
+    }
+
+    /** The longest side of the box of any cell, in units of length. */
+    double largestExtent() {
+        return largestExtent;
     }
 
     /** In scene units. */

@@ -11,7 +11,7 @@ final class CellReader {
     private CellChunk chunk;
     private int place;
 
-    /** @param lengthUnit a power of two, in scene units */
+    /** @param lengthUnit a power of two, in units of the store */
     CellReader(CellStore store, double lengthUnit) {
         this.store = store;
         this.inverseUnit = 1 / lengthUnit;

@@ -12,17 +12,19 @@ public final class CellSlice {
     private final double originX;
     private final double originY;
     private final double originZ;
+    private final double inverseLengthUnit;
     private final double inversePowerUnit;
     private final boolean keepsSeeds;
     private CellChunk last;
     private int used = CellChunk.SIZE;
     private long rejected;
 
-    CellSlice(ChunkPool<CellChunk> pool, Vector3 origin, double powerUnit, boolean keepsSeeds) {
+    CellSlice(ChunkPool<CellChunk> pool, Vector3 origin, double lengthUnit, double powerUnit, boolean keepsSeeds) {
         this.pool = pool;
         this.originX = origin.x();
         this.originY = origin.y();
         this.originZ = origin.z();
+        this.inverseLengthUnit = 1 / lengthUnit;
         this.inversePowerUnit = 1 / powerUnit;
         this.keepsSeeds = keepsSeeds;
     }
@@ -51,9 +53,15 @@ public final class CellSlice {
 
     /** Stores a triangle without seed; false if it is left out. */
     private boolean add(SurfacePoint a, SurfacePoint b, SurfacePoint c, Rgb power) {
-        double x = a.x - originX;
-        double y = a.y - originY;
-        double z = a.z - originZ;
+        double x = (a.x - originX) * inverseLengthUnit;
+        double y = (a.y - originY) * inverseLengthUnit;
+        double z = (a.z - originZ) * inverseLengthUnit;
+        double bx = (b.x - a.x) * inverseLengthUnit;
+        double by = (b.y - a.y) * inverseLengthUnit;
+        double bz = (b.z - a.z) * inverseLengthUnit;
+        double cx = (c.x - a.x) * inverseLengthUnit;
+        double cy = (c.y - a.y) * inverseLengthUnit;
+        double cz = (c.z - a.z) * inverseLengthUnit;
         double normalX = a.normalX + b.normalX + c.normalX;
         double normalY = a.normalY + b.normalY + c.normalY;
         double normalZ = a.normalZ + b.normalZ + c.normalZ;
@@ -61,7 +69,7 @@ public final class CellSlice {
         float red = (float) (power.red * inversePowerUnit);
         float green = (float) (power.green * inversePowerUnit);
         float blue = (float) (power.blue * inversePowerUnit);
-        if (!(isSize(x, y, z) && isSize(b.x - a.x, b.y - a.y, b.z - a.z) && isSize(c.x - a.x, c.y - a.y, c.z - a.z))
+        if (!(isSize(x, y, z) && isSize(bx, by, bz) && isSize(cx, cy, cz))
                 || !(isPower(red) && isPower(green) && isPower(blue))
                 || !(normal > 0 && normal <= Double.MAX_VALUE)) {
             rejected++;
@@ -78,12 +86,12 @@ public final class CellSlice {
         vertices[i + 1] = y;
         vertices[i + 2] = z;
         i = 9 * place;
-        numbers[i] = (float) (b.x - a.x);
-        numbers[i + 1] = (float) (b.y - a.y);
-        numbers[i + 2] = (float) (b.z - a.z);
-        numbers[i + 3] = (float) (c.x - a.x);
-        numbers[i + 4] = (float) (c.y - a.y);
-        numbers[i + 5] = (float) (c.z - a.z);
+        numbers[i] = (float) bx;
+        numbers[i + 1] = (float) by;
+        numbers[i + 2] = (float) bz;
+        numbers[i + 3] = (float) cx;
+        numbers[i + 4] = (float) cy;
+        numbers[i + 5] = (float) cz;
         numbers[i + 6] = red;
         numbers[i + 7] = green;
         numbers[i + 8] = blue;

@@ -16,6 +16,7 @@ public final class CellStore {
     public static final int LARGEST_CAPACITY = Integer.MAX_VALUE / 16;
 
     private final Vector3 origin;
+    private final double lengthUnit;
     private final double powerUnit;
     private final boolean keepsSeeds;
     private final ChunkPool<CellChunk> pool;
@@ -23,41 +24,54 @@ public final class CellStore {
     private int used = CellChunk.SIZE;
     private long rejected;
 
-    /**
-     * @param origin the middle of what is lit: where the numbers that a mesh keeps are the most exact
-     * @param powerUnit a power of two about the size of a cell's power, in W, so that none is too small or large for single
-     *     precision: powers below 2^-149 units become 0, those from 2^128 units on are left out and counted
-     * @param capacity the most cells that may be stored
-     * @throws IllegalArgumentException if the origin is not finite, the unit not a positive number, or the capacity negative
-     *     or above {@link #LARGEST_CAPACITY}
-     */
+    /** A store in scene units and W. */
     public CellStore(Vector3 origin, double powerUnit, int capacity) {
-        this(origin, powerUnit, capacity, false);
+        this(origin, 1, powerUnit, capacity, false);
     }
 
-    private CellStore(Vector3 origin, double powerUnit, int capacity, boolean keepsSeeds) {
-        if (!origin.isFinite() || !(powerUnit > 0 && 1 / powerUnit > 0 && 1 / powerUnit <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("cells need a finite origin and a positive unit of power, but have "
-                    + origin + " and " + powerUnit);
+    /**
+     * @param origin the middle of what is lit: where the numbers that a mesh keeps are the most exact
+     * @param lengthUnit about the size of what is lit, in scene units: then what is rounded, and how, does not depend on the
+     *     scale of the scene
+     * @param powerUnit about a cell's power, in W, so that none is too small or large for single precision: powers below 2^-149
+     *     units become 0, those from 2^128 units on are left out and counted
+     * @param capacity the most cells that may be stored
+     * @throws IllegalArgumentException if the origin is not finite, a unit not a positive number, or the capacity negative
+     *     or above {@link #LARGEST_CAPACITY}
+     */
+    public CellStore(Vector3 origin, double lengthUnit, double powerUnit, int capacity) {
+        this(origin, lengthUnit, powerUnit, capacity, false);
+    }
+
+    private CellStore(Vector3 origin, double lengthUnit, double powerUnit, int capacity, boolean keepsSeeds) {
+        if (!origin.isFinite() || !isUnit(lengthUnit) || !isUnit(powerUnit)) {
+            throw new IllegalArgumentException(
+                    "cells need a finite origin and positive units of length and power, but have " + origin + ", "
+                            + lengthUnit + " and " + powerUnit);
         }
         if (capacity > LARGEST_CAPACITY) {
             throw new IllegalArgumentException(
                     "a store of cells has a capacity of at most " + LARGEST_CAPACITY + ", not " + capacity);
         }
         this.origin = origin;
+        this.lengthUnit = lengthUnit;
         this.powerUnit = powerUnit;
         this.keepsSeeds = keepsSeeds;
         this.pool = new ChunkPool<>(() -> new CellChunk(keepsSeeds), "cells", capacity);
     }
 
+    private static boolean isUnit(double unit) {
+        return unit > 0 && 1 / unit > 0 && 1 / unit <= Double.MAX_VALUE;
+    }
+
     /** A store as the constructor makes it, that keeps the seeds of cells too, for {@link CausticMesh#lookup(LightPaths)}. */
-    public static CellStore keepingSeeds(Vector3 origin, double powerUnit, int capacity) {
-        return new CellStore(origin, powerUnit, capacity, true);
+    public static CellStore keepingSeeds(Vector3 origin, double lengthUnit, double powerUnit, int capacity) {
+        return new CellStore(origin, lengthUnit, powerUnit, capacity, true);
     }
 
     /** An empty slice for one task; may be asked for on any thread. */
     public CellSlice slice() {
-        return new CellSlice(pool, origin, powerUnit, keepsSeeds);
+        return new CellSlice(pool, origin, lengthUnit, powerUnit, keepsSeeds);
     }
 
     /**
@@ -115,7 +129,7 @@ public final class CellStore {
         int place = cell & CellChunk.SIZE - 1;
         for (int i = 0; i < 9; i++) {
             double offset = i < 3 ? 0 : chunk.numbers[9 * place + i - 3];
-            out.vertices[i] = origin.component(i % 3) + chunk.vertices[3 * place + i % 3] + offset;
+            out.vertices[i] = origin.component(i % 3) + (chunk.vertices[3 * place + i % 3] + offset) * lengthUnit;
         }
         int i = 9 * place + 6;
         out.power
@@ -144,6 +158,11 @@ public final class CellStore {
 
     Vector3 origin() {
         return origin;
+    }
+
+    /** In scene units. */
+    double lengthUnit() {
+        return lengthUnit;
     }
 
     double powerUnit() {

@@ -13,7 +13,6 @@ public sealed interface Estimator {
     record Density(double radius, Kernel kernel) implements Estimator {
         public Density {
             requirePositive("gather radius", radius);
-            requirePositive("square of a gather radius", radius * radius);
         }
     }
 
@@ -51,20 +50,36 @@ public sealed interface Estimator {
     }
 
     /**
-     * The radius for {@link Density} of one pass of many, whose results are averaged: r²ᵢ₊₁ = r²ᵢ (i + α) ÷ (i + 1), α =
-     * 2/3, by which variance and squared bias shrink alike [Knaus and Zwicker 2011, Eq. 16].
+     * The radius for {@link Density} of one pass of many, whose results are averaged, so that variance and squared bias shrink
+     * alike: with α = 2/3 [Knaus and Zwicker 2011, Eq. 16].
      *
      * @param firstRadius of pass 1
      * @param pass from 1 on
      */
     static double progressiveRadius(double firstRadius, int pass) {
+        return progressiveRadius(firstRadius, pass, 2.0 / 3);
+    }
+
+    /**
+     * The radius of a pass: r²ᵢ₊₁ = r²ᵢ (i + α) ÷ (i + 1).
+     *
+     * @param pass from 1 on: a whole number, but small radii lie beyond what fits in one
+     * @param alpha from 0 to 1: how much of the variance each pass takes away, the bias being left the rest
+     */
+    static double progressiveRadius(double firstRadius, double pass, double alpha) {
         requirePositive("first radius", firstRadius);
-        if (pass < 1) {
+        if (!(pass >= 1 && pass < Double.POSITIVE_INFINITY)) {
             throw new IllegalArgumentException("passes count from 1, but this is " + pass);
         }
+        if (!(alpha >= 0 && alpha <= 1)) {
+            throw new IllegalArgumentException("alpha of a radius must be from 0 to 1, but is " + alpha);
+        }
         double ratioSquared = 1;
-        for (int i = 1; i < pass; i++) {
-            ratioSquared *= (i + 2.0 / 3) / (i + 1);
+        for (int i = 1; i < Math.min(pass, GammaQuotient.ASYMPTOTIC); i++) {
+            ratioSquared *= (i + alpha) / (i + 1);
+        }
+        if (pass > GammaQuotient.ASYMPTOTIC) {
+            ratioSquared *= GammaQuotient.fromAsymptotic(pass, alpha);
         }
         return firstRadius * Math.sqrt(ratioSquared);
     }

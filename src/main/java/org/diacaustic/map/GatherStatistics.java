@@ -36,7 +36,7 @@ public final class GatherStatistics {
         for (int i = 0; i < looks; i++) {
             tree.position(place(i, looks, tree), at);
             distances[i] = nearest.find(at, Double.POSITIVE_INFINITY)
-                    ? Math.sqrt(nearest.distanceSquared(count)) * tree.lengthUnit()
+                    ? Math.sqrt(nearest.distanceSquaredInUnits(count)) * tree.lengthUnit()
                     : Double.POSITIVE_INFINITY;
         }
         Arrays.sort(distances);

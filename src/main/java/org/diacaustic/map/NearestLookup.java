@@ -29,20 +29,25 @@ final class NearestLookup implements IlluminationMap.Lookup {
         }
         boolean enough = nearest.find(at, estimator.maximumRadius());
         int counting = enough ? estimator.count() - 1 : nearest.found();
-        double radiusSquared =
-                enough ? Math.max(nearest.distanceSquared(counting), RESOLUTION * RESOLUTION) : maximumRadiusSquared;
+        double radiusSquared = enough
+                ? Math.max(nearest.distanceSquaredInUnits(counting), RESOLUTION * RESOLUTION)
+                : maximumRadiusSquared;
+        if (!(radiusSquared < Double.POSITIVE_INFINITY)) {
+            irradiance.set(0, 0, 0);
+            return;
+        }
         double red = 0;
         double green = 0;
         double blue = 0;
         for (int i = 0; i < counting; i++) {
             int photon = nearest.photon(i);
-            double weight = estimator.kernel().weight(nearest.distanceSquared(i) / radiusSquared);
+            double weight = estimator.kernel().weight(nearest.distanceSquaredInUnits(i) / radiusSquared);
             red += weight * tree.red[photon];
             green += weight * tree.green[photon];
             blue += weight * tree.blue[photon];
         }
         used += counting;
-        double scale = tree.powerUnit() / (Math.PI * radiusSquared) / (tree.lengthUnit() * tree.lengthUnit());
+        double scale = tree.powerUnit() / (Math.PI * radiusSquared) / tree.lengthUnit() / tree.lengthUnit();
         irradiance.set(red * scale, green * scale, blue * scale);
     }
 

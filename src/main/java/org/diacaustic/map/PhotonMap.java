@@ -1,5 +1,6 @@
 package org.diacaustic.map;
 
+import org.diacaustic.math.Arithmetic;
 import org.diacaustic.parallel.Workers;
 
 /**
@@ -35,11 +36,18 @@ public final class PhotonMap implements IlluminationMap {
             return new NearestLookup(tree, filter, nearest);
         }
         if (estimator instanceof Estimator.Density density) {
-            double radius = density.radius();
-            return new RadiusLookup(tree, filter, radius, density.kernel(), Math.PI * radius * radius);
+            return new RadiusLookup(tree, filter, density.radius(), density.kernel(), perArea(density.radius()));
         }
         Estimator.ExpectedCount expected = (Estimator.ExpectedCount) estimator;
-        return new RadiusLookup(tree, filter, expected.radius(), Kernel.CONSTANT, expected.expectedCount());
+        return new RadiusLookup(
+                tree, filter, expected.radius(), Kernel.CONSTANT, tree.powerUnit() / expected.expectedCount());
+    }
+
+    /** The unit of power ÷ the area of a disc, whose square need not be in range. */
+    private double perArea(double radius) {
+        double unit = Arithmetic.powerOfTwoNear(radius);
+        double inUnits = radius / unit;
+        return tree.powerUnit() / (Math.PI * inUnits * inUnits) / unit / unit;
     }
 
     @Override

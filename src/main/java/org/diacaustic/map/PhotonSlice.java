@@ -12,16 +12,18 @@ public final class PhotonSlice {
     private final double originX;
     private final double originY;
     private final double originZ;
+    private final double inverseLengthUnit;
     private final double inversePowerUnit;
     private PhotonChunk last;
     private int used = PhotonChunk.SIZE;
     private long rejected;
 
-    PhotonSlice(ChunkPool<PhotonChunk> pool, Vector3 origin, double powerUnit) {
+    PhotonSlice(ChunkPool<PhotonChunk> pool, Vector3 origin, double lengthUnit, double powerUnit) {
         this.pool = pool;
         this.originX = origin.x();
         this.originY = origin.y();
         this.originZ = origin.z();
+        this.inverseLengthUnit = 1 / lengthUnit;
         this.inversePowerUnit = 1 / powerUnit;
     }
 
@@ -33,9 +35,9 @@ public final class PhotonSlice {
      *     full, or else by {@link PhotonStore#append}
      */
     public void add(SurfacePoint at, Rgb power) {
-        float x = (float) (at.x - originX);
-        float y = (float) (at.y - originY);
-        float z = (float) (at.z - originZ);
+        float x = (float) ((at.x - originX) * inverseLengthUnit);
+        float y = (float) ((at.y - originY) * inverseLengthUnit);
+        float z = (float) ((at.z - originZ) * inverseLengthUnit);
         float red = (float) (power.red * inversePowerUnit);
         float green = (float) (power.green * inversePowerUnit);
         float blue = (float) (power.blue * inversePowerUnit);

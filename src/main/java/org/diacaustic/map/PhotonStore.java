@@ -14,33 +14,48 @@ import org.diacaustic.math.Vector3;
  */
 public final class PhotonStore {
     private final Vector3 origin;
+    private final double lengthUnit;
     private final double powerUnit;
     private final ChunkPool<PhotonChunk> pool;
     private final List<PhotonChunk> chunks = new ArrayList<>();
     private int used = PhotonChunk.SIZE;
     private long rejected;
 
+    /** A store of positions in scene units. */
+    public PhotonStore(Vector3 origin, double powerUnit, int capacity) {
+        this(origin, 1, powerUnit, capacity);
+    }
+
     /**
      * @param origin positions are kept as single-precision offsets from here: the middle of what is lit
-     * @param powerUnit a power of two about the size of a photon's power, in W, so that none is too small or large for
+     * @param lengthUnit about the size of what is lit, in scene units, so that offsets do not leave the range of single
+     *     precision, and what is rounded, and how, does not depend on the scale of the scene: offsets below 2^-149 units become 0,
+     *     photons 2^128 units off are left out and counted
+     * @param powerUnit about the size of a photon's power, in W, so that none is too small or large for
      *     single precision: powers below 2^-149 units become 0, those from 2^128 units on are left out and counted
      * @param capacity the most photons that may be stored
-     * @throws IllegalArgumentException if the origin is not finite, the unit not a positive number or the capacity
+     * @throws IllegalArgumentException if the origin is not finite, a unit not a positive number or the capacity
      *     negative
      */
-    public PhotonStore(Vector3 origin, double powerUnit, int capacity) {
-        if (!origin.isFinite() || !(powerUnit > 0 && 1 / powerUnit > 0 && 1 / powerUnit <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("photons need a finite origin and a positive unit of power, but have "
-                    + origin + " and " + powerUnit);
+    public PhotonStore(Vector3 origin, double lengthUnit, double powerUnit, int capacity) {
+        if (!origin.isFinite() || !isUnit(lengthUnit) || !isUnit(powerUnit)) {
+            throw new IllegalArgumentException(
+                    "photons need a finite origin and positive units of length and power, but have " + origin + ", "
+                            + lengthUnit + " and " + powerUnit);
         }
         this.origin = origin;
+        this.lengthUnit = lengthUnit;
         this.powerUnit = powerUnit;
         this.pool = new ChunkPool<>(PhotonChunk::new, "photons", capacity);
     }
 
+    private static boolean isUnit(double unit) {
+        return unit > 0 && 1 / unit > 0 && 1 / unit <= Double.MAX_VALUE;
+    }
+
     /** An empty slice for one task; may be asked for on any thread. */
     public PhotonSlice slice() {
-        return new PhotonSlice(pool, origin, powerUnit);
+        return new PhotonSlice(pool, origin, lengthUnit, powerUnit);
     }
 
     /**
@@ -102,6 +117,11 @@ public final class PhotonStore {
         return origin;
     }
 
+    /** In scene units. */
+    double lengthUnit() {
+        return lengthUnit;
+    }
+
     double powerUnit() {
         return powerUnit;
     }
@@ -118,9 +138,9 @@ public final class PhotonStore {
     public void position(int i, SurfacePoint out) {
         PhotonChunk chunk = chunks.get(i >> PhotonChunk.BITS);
         int place = i & PhotonChunk.SIZE - 1;
-        out.x = chunk.x[place] + origin.x();
-        out.y = chunk.y[place] + origin.y();
-        out.z = chunk.z[place] + origin.z();
+        out.x = chunk.x[place] * lengthUnit + origin.x();
+        out.y = chunk.y[place] * lengthUnit + origin.y();
+        out.z = chunk.z[place] * lengthUnit + origin.z();
         PackedNormal.unpack(chunk.normal[place], out);
         out.object = chunk.receiver[place] >>> 1;
         out.front = (chunk.receiver[place] & 1) != 0;

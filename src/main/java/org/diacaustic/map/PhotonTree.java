@@ -10,7 +10,7 @@ import org.diacaustic.parallel.Workers;
 
 /**
  * The photons of a pass, arranged to be found by place: arrays in the order of a kd-tree's leaves. At most 32 bytes a
- * photon, tree included. Positions are kept in units of a power of two that is about the size of what is lit, so that
+ * photon, tree included. Positions are kept in units of about the size of what is lit, so that
  * squared distances stay in range whatever the scale of the scene. Immutable, shared by maps and threads.
  */
 public final class PhotonTree {
@@ -48,10 +48,11 @@ public final class PhotonTree {
         y = take(store, chunk -> chunk.y, chunk -> chunk.y = null, workers);
         z = take(store, chunk -> chunk.z, chunk -> chunk.z = null, workers);
         float largest = Math.max(largest(x), Math.max(largest(y), largest(z)));
-        lengthUnit = largest == 0 ? 1 : Arithmetic.powerOfTwoNear(largest);
-        divide(x, lengthUnit, workers);
-        divide(y, lengthUnit, workers);
-        divide(z, lengthUnit, workers);
+        double change = largest == 0 ? 1 : Arithmetic.powerOfTwoNear(largest);
+        lengthUnit = change * store.lengthUnit();
+        divide(x, change, workers);
+        divide(y, change, workers);
+        divide(z, change, workers);
         int[] numbers = new int[size];
         for (int i = 0; i < size; i++) {
             numbers[i] = i;
@@ -151,6 +152,11 @@ public final class PhotonTree {
     /** The number of photons. */
     public int size() {
         return points.size();
+    }
+
+    /** The number of nodes from the root to a leaf, which is the same for all leaves; 0 if there are no photons. */
+    public int depth() {
+        return points.depth();
     }
 
     /** The memory that photons and tree take. */

@@ -16,6 +16,9 @@ final class PointDensity {
 
     private static final double DEPTH_SQUARED = DEPTH * DEPTH;
 
+    /** How far around the point there may be triangles whose cells light it, in parts of the longest edge. */
+    private static final double AROUND = 0.25;
+
     private final CausticMesh mesh;
     private final BoxWalk walk = new BoxWalk();
     /** Null if none are looked for. */
@@ -23,6 +26,9 @@ final class PointDensity {
 
     private SurfacePoint point;
     private long used;
+
+    /** The longest edge of the triangles that the point is in, in units of length. */
+    private double longestFound;
 
     /** Where is asked, from the middle of a leaf, in units of length. */
     private double x;
@@ -65,10 +71,27 @@ final class PointDensity {
         double atX = (at.x - mesh.origin().x()) / unit;
         double atY = (at.y - mesh.origin().y()) / unit;
         double atZ = (at.z - mesh.origin().z()) / unit;
-        int receiver = at.object << 1 | (at.front ? 1 : 0);
+        longestFound = 0;
+        search(atX, atY, atZ, 0, irradiance);
+        irradiance.scale(mesh.powerUnit() / unit / unit);
+        if (rays != null) {
+            double around = longestFound > 0 ? longestFound : mesh.largestExtent();
+            search(atX, atY, atZ, AROUND * around, null);
+            irradiance.add(rays.sum());
+        }
+    }
+
+    /**
+     * Looks at the triangles that the point is in; or, if it is to look around, at the others that are not farther than that.
+     *
+     * @param around in units of length; 0 for the triangles that the point is in
+     * @param sum of their densities; null if it looks around
+     */
+    private void search(double atX, double atY, double atZ, double around, Rgb sum) {
+        int receiver = point.object << 1 | (point.front ? 1 : 0);
         double cosine = PhotonFilter.TWO_SIDED_NORMAL.cosine();
         BoxTree tree = mesh.tree;
-        start(at, atX, atY, atZ);
+        start(point, atX, atY, atZ, around);
         for (int leaf = tree.next(walk); leaf != BoxTree.DONE; leaf = tree.next(walk)) {
             x = atX - tree.middle(leaf, 0);
             y = atY - tree.middle(leaf, 1);
@@ -76,19 +99,16 @@ final class PointDensity {
             int end = tree.end(leaf);
             for (int i = tree.first(leaf); i < end; i++) {
                 if (mesh.tags[2 * i + 1] == receiver
-                        && PackedNormal.isWithin(mesh.tags[2 * i], cosine, at.normalX, at.normalY, at.normalZ)) {
-                    add(i, irradiance);
+                        && PackedNormal.isWithin(
+                                mesh.tags[2 * i], cosine, point.normalX, point.normalY, point.normalZ)) {
+                    add(i, sum);
                 }
             }
-        }
-        irradiance.scale(mesh.powerUnit() / unit / unit);
-        if (rays != null) {
-            irradiance.add(rays.sum());
         }
     }
 
     /** Walks along the line through the point and its normal: however large triangles are, they are not missed. */
-    private void start(SurfacePoint at, double atX, double atY, double atZ) {
+    private void start(SurfacePoint at, double atX, double atY, double atZ, double around) {
         boolean steep = Math.abs(at.normalX) > Math.abs(at.normalZ);
         double ux = steep ? -at.normalY : 0;
         double uy = steep ? at.normalX : -at.normalZ;
@@ -98,7 +118,8 @@ final class PointDensity {
         double vz = at.normalX * uy - at.normalY * ux;
         double all = Double.POSITIVE_INFINITY;
         walk.box(-all, -all, -all, all, all, all);
-        double rounding = FootprintRegion.ROUNDING * Math.max(Math.abs(atX), Math.max(Math.abs(atY), Math.abs(atZ)));
+        double rounding =
+                around + FootprintRegion.ROUNDING * Math.max(Math.abs(atX), Math.max(Math.abs(atY), Math.abs(atZ)));
         cutBothSides(ux, uy, uz, ux * atX + uy * atY + uz * atZ, rounding);
         cutBothSides(vx, vy, vz, vx * atX + vy * atY + vz * atZ, rounding);
         mesh.tree.start(walk);
@@ -110,7 +131,10 @@ final class PointDensity {
         walk.cut(-nx, -ny, -nz, along, margin);
     }
 
-    /** Adds the density of a cell, if its triangle has the point: in units of power and length, or that of a ray. */
+    /**
+     * Adds the density of a cell, if its triangle has the point: in units of power and length, or that of a ray; or, if there is no
+     * sum, the ray of a cell whose triangle does not have it.
+     */
     private void add(int cell, Rgb sum) {
         int i = CausticMesh.NUMBERS * cell;
         float[] n = mesh.numbers;
@@ -124,28 +148,39 @@ final class PointDensity {
         normalY = bz * cx - bx * cz;
         normalZ = bx * cy - by * cx;
         double squared = normalX * normalX + normalY * normalY + normalZ * normalZ;
-        if (squared > 0
-                && isInside(i, bx, by, bz)
-                && isInside(i + 6, -cx, -cy, -cz)
-                && isInside(i + 3, cx - bx, cy - by, cz - bz)) {
-            double off = normalX * (x - n[i]) + normalY * (y - n[i + 1]) + normalZ * (z - n[i + 2]);
-            double dx = cx - bx;
-            double dy = cy - by;
-            double dz = cz - bz;
-            double longestSquared = Math.max(
-                    dx * dx + dy * dy + dz * dz, Math.max(bx * bx + by * by + bz * bz, cx * cx + cy * cy + cz * cz));
-            if (off * off <= DEPTH_SQUARED * longestSquared * squared) {
-                if (rays == null || !addRay(cell, squared, Math.sqrt(longestSquared))) {
-                    double density = 2 / Math.sqrt(squared);
-                    sum.add(density * n[i + 9], density * n[i + 10], density * n[i + 11]);
-                }
-                used++;
-            }
+        boolean isWanted = squared > 0 && isInside(i) == (sum != null);
+        double longestSquared = isWanted ? longestSquared() : 0;
+        double off = normalX * (x - n[i]) + normalY * (y - n[i + 1]) + normalZ * (z - n[i + 2]);
+        if (!isWanted || !(off * off <= DEPTH_SQUARED * longestSquared * squared)) {
+            return;
         }
+        if (sum == null) {
+            used += addRay(cell, squared, Math.sqrt(longestSquared), true) ? 1 : 0;
+            return;
+        }
+        if (rays == null || !addRay(cell, squared, Math.sqrt(longestSquared), false)) {
+            double density = 2 / Math.sqrt(squared);
+            sum.add(density * n[i + 9], density * n[i + 10], density * n[i + 11]);
+        }
+        longestFound = Math.max(longestFound, Math.sqrt(longestSquared));
+        used++;
+    }
+
+    /** The square of the triangle's longest edge. */
+    private double longestSquared() {
+        double dx = cx - bx;
+        double dy = cy - by;
+        double dz = cz - bz;
+        return Math.max(
+                dx * dx + dy * dy + dz * dz, Math.max(bx * bx + by * by + bz * bz, cx * cx + cy * cy + cz * cz));
+    }
+
+    private boolean isInside(int i) {
+        return isInside(i, bx, by, bz) && isInside(i + 6, -cx, -cy, -cz) && isInside(i + 3, cx - bx, cy - by, cz - bz);
     }
 
     /** Adds the ray of a cell that lands at the point; false if there is none. */
-    private boolean addRay(int cell, double squared, double longest) {
+    private boolean addRay(int cell, double squared, double longest, boolean isBeside) {
         int i = CausticMesh.NUMBERS * cell;
         double dx = x - mesh.numbers[i];
         double dy = y - mesh.numbers[i + 1];
@@ -153,7 +188,10 @@ final class PointDensity {
         double s = normalX * (dy * cz - dz * cy) + normalY * (dz * cx - dx * cz) + normalZ * (dx * cy - dy * cx);
         double t = normalX * (by * dz - bz * dy) + normalY * (bz * dx - bx * dz) + normalZ * (bx * dy - by * dx);
         double orientation = normalX * point.normalX + normalY * point.normalY + normalZ * point.normalZ;
-        return rays.add(cell, s / squared, t / squared, orientation, DEPTH * longest * mesh.lengthUnit());
+        double depth = DEPTH * longest * mesh.lengthUnit();
+        return isBeside
+                ? rays.addBeside(cell, s / squared, t / squared, orientation, depth)
+                : rays.add(cell, s / squared, t / squared, orientation, depth);
     }
 
     /** Whether the point is on the inner side of the edge that leaves the vertex at a place. */

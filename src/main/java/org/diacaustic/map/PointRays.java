@@ -11,6 +11,9 @@ final class PointRays {
     /** Rays of one way nearer than this are the same, in parts of their cells. */
     private static final double SAME = 1.0 / 16;
 
+    /** A ray so far outside of a cell, in parts of it, is taken to be on its edge. */
+    private static final double EDGE = 0x1p-20;
+
     private final CellSeeds seeds;
     private final RaySolver solver;
     private final CellSeed seed = new CellSeed();
@@ -46,6 +49,25 @@ final class PointRays {
      */
     boolean add(int cell, double s, double t, double orientation, double depth) {
         if (!seeds.read(cell, seed) || !solver.solve(seed, at, s, t, orientation, depth, irradiance)) {
+            return false;
+        }
+        if (isNew()) {
+            sum.add(irradiance);
+        }
+        return true;
+    }
+
+    /**
+     * Adds the ray that lands at the point beside a cell's triangle, if it is one of the cell: where the edges of cells are bent,
+     * or rounded, a triangle is not all that its cell lights. The numbers are those of {@link #add}.
+     *
+     * @return whether the cell has such a ray
+     */
+    boolean addBeside(int cell, double s, double t, double orientation, double depth) {
+        if (!seeds.read(cell, seed) || !solver.solve(seed, at, s, t, orientation, depth, irradiance)) {
+            return false;
+        }
+        if (!(solver.s() >= -EDGE && solver.t() >= -EDGE && solver.s() + solver.t() <= 1 + EDGE)) {
             return false;
         }
         if (isNew()) {

@@ -11,13 +11,13 @@ final class RadiusLookup implements IlluminationMap.Lookup {
     private final double scale;
     private long used;
 
-    /** @param divisor of the sum of weighted powers */
-    RadiusLookup(PhotonTree tree, PhotonFilter filter, double radius, Kernel kernel, double divisor) {
+    /** @param scale what the sum of weighted powers, in units of power, is multiplied by */
+    RadiusLookup(PhotonTree tree, PhotonFilter filter, double radius, Kernel kernel, double scale) {
         this.tree = tree;
         this.search = new PhotonSearch(tree, filter);
         this.radius = radius;
         this.kernel = kernel;
-        this.scale = tree.powerUnit() / divisor;
+        this.scale = scale;
     }
 
     @Override

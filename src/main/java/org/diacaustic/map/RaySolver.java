@@ -5,7 +5,8 @@ import org.diacaustic.math.Rgb;
 
 /**
  * Finds the light ray of a cell that lands at a point, and the density of light there: Newton's method in light space
- * [Mitchell and Hanrahan 1992], with derivatives by central differences. Working storage of one task.
+ * [Mitchell and Hanrahan 1992], with derivatives by central differences, and better ones for the ray that was found. Working
+ * storage of one task.
  */
 final class RaySolver {
     /** How far outside its cell a ray may be, in parts of the cell: the edges of cells on a receiver are bent. */
@@ -14,10 +15,13 @@ final class RaySolver {
     /** The step of the differences, in parts of the cell: between the errors of curvature and of rounding. */
     private static final double STEP = 0x1p-11;
 
-    /** Rays nearer than this to the one that is looked for have its density, in parts of the cell. */
+    /** From nearer than this, in parts of the cell, one more step comes to the ray as nearly as numbers can. */
     private static final double NEAR_ENOUGH = 0x1p-20;
 
-    private static final int MOST_STEPS = 8;
+    private static final int MOST_STEPS = 32;
+
+    /** Of a step. */
+    private static final double SMALLEST_PART = 0x1p-8;
 
     private static final int HERE = 0;
     private static final int AFTER_S = 3;
@@ -30,6 +34,8 @@ final class RaySolver {
     private final SurfacePoint landing = new SurfacePoint();
     private final Rgb power = new Rgb();
     private final Rgb unread = new Rgb();
+    private final LandingSlope alongS;
+    private final LandingSlope alongT;
 
     /** Where rays land, from the point that is asked about, in scene units. */
     private final double[] landed = new double[18];
@@ -55,6 +61,8 @@ final class RaySolver {
 
     RaySolver(LightPaths paths) {
         this.paths = paths;
+        this.alongS = new LandingSlope(paths);
+        this.alongT = new LandingSlope(paths);
     }
 
     /**
@@ -80,7 +88,7 @@ final class RaySolver {
         s = guessS;
         t = guessT;
         paths.enter(cell);
-        if (!iterate(orientation) || !(Math.abs(along(HERE)) <= depth) || isFolded(orientation)) {
+        if (!iterate(orientation) || !refine() || !(Math.abs(along(HERE)) <= depth)) {
             return false;
         }
         double area = Arithmetic.length(areaX, areaY, areaZ);
@@ -97,11 +105,12 @@ final class RaySolver {
         return t;
     }
 
+    /** Newton's steps, shortened where they would leave the cell, or the way, or come no nearer. */
     private boolean iterate(double orientation) {
-        for (int step = 0; step < MOST_STEPS; step++) {
-            if (!isNearCell() || !differentiate()) {
-                return false;
-            }
+        if (!isNearCell() || !follow(HERE, 0, 0, power)) {
+            return false;
+        }
+        for (int step = 0; step < MOST_STEPS && differentiate(); step++) {
             double determinant = alongNormal(areaX, areaY, areaZ);
             if (!(determinant * orientation > 0)) {
                 return false;
@@ -112,22 +121,55 @@ final class RaySolver {
             double ds = -alongNormal(y * tz - z * ty, z * tx - x * tz, x * ty - y * tx) / determinant;
             double dt = -alongNormal(sy * z - sz * y, sz * x - sx * z, sx * y - sy * x) / determinant;
             if (Math.abs(ds) <= NEAR_ENOUGH && Math.abs(dt) <= NEAR_ENOUGH) {
-                return true;
+                boolean isFolded = isFolded(orientation);
+                s += ds;
+                t += dt;
+                return !isFolded;
             }
-            s += ds;
-            t += dt;
+            if (!comesNearer(ds, dt)) {
+                return false;
+            }
         }
         return false;
+    }
+
+    /** Goes a step or a part of it; false if even a small part does not come nearer. */
+    private boolean comesNearer(double ds, double dt) {
+        double fromS = s;
+        double fromT = t;
+        double distance = distance();
+        for (double part = 1; part >= SMALLEST_PART; part *= 0.5) {
+            s = fromS + part * ds;
+            t = fromT + part * dt;
+            if (isNearCell() && follow(HERE, 0, 0, power) && distance() < distance) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private double distance() {
+        return Arithmetic.length(landed[HERE], landed[HERE + 1], landed[HERE + 2]);
+    }
+
+    /** Computes power and area for the ray itself; false if it goes another way. */
+    private boolean refine() {
+        if (!follow(HERE, 0, 0, power) || !alongS.find(s, t, 1, 0) || !alongT.find(s, t, 0, 1)) {
+            return false;
+        }
+        areaX = alongS.y * alongT.z - alongS.z * alongT.y;
+        areaY = alongS.z * alongT.x - alongS.x * alongT.z;
+        areaZ = alongS.x * alongT.y - alongS.y * alongT.x;
+        return true;
     }
 
     private boolean isNearCell() {
         return s >= -MARGIN && t >= -MARGIN && s + t <= 1 + MARGIN;
     }
 
-    /** Follows the ray and its neighbours; false if one of them goes another way. */
+    /** Follows the ray's neighbours; false if one of them goes another way. */
     private boolean differentiate() {
-        if (!(follow(HERE, 0, 0, power)
-                && follow(AFTER_S, STEP, 0, unread)
+        if (!(follow(AFTER_S, STEP, 0, unread)
                 && follow(BEFORE_S, -STEP, 0, unread)
                 && follow(AFTER_T, 0, STEP, unread)
                 && follow(BEFORE_T, 0, -STEP, unread))) {
@@ -164,12 +206,40 @@ final class RaySolver {
         return target.normalX * x + target.normalY * y + target.normalZ * z;
     }
 
-    /** Whether the map of light turns over at one of the cell's corners, as far as its second derivatives tell. */
+    /**
+     * Whether the map of light turns over at one of the cell's corners: if its second derivatives at the ray tell so, and the rays
+     * at the corners do.
+     */
     private boolean isFolded(double orientation) {
-        return !follow(AFTER_BOTH, STEP, STEP, unread)
-                || isTurnedOver(-s, -t, orientation)
-                || isTurnedOver(1 - s, -t, orientation)
-                || isTurnedOver(-s, 1 - t, orientation);
+        boolean isStraight = follow(AFTER_BOTH, STEP, STEP, unread)
+                && !isTurnedOver(-s, -t, orientation)
+                && !isTurnedOver(1 - s, -t, orientation)
+                && !isTurnedOver(-s, 1 - t, orientation);
+        return !isStraight
+                && (isTurnedOverAt(0, 0, orientation)
+                        || isTurnedOverAt(1, 0, orientation)
+                        || isTurnedOverAt(0, 1, orientation));
+    }
+
+    /** The same at a corner itself, by rays within the cell. */
+    private boolean isTurnedOverAt(double cornerS, double cornerT, double orientation) {
+        // From any corner to the next two, in order.
+        double nextS = cornerS == 1 ? -STEP : cornerT == 1 ? 0 : STEP;
+        double nextT = cornerS == 1 ? STEP : cornerT == 1 ? -STEP : 0;
+        double lastS = cornerS == 1 ? -STEP : cornerT == 1 ? STEP : 0;
+        double lastT = cornerS == 1 ? 0 : cornerT == 1 ? -STEP : STEP;
+        if (!(follow(AFTER_S, cornerS - s, cornerT - t, unread)
+                && follow(AFTER_T, cornerS + nextS - s, cornerT + nextT - t, unread)
+                && follow(AFTER_BOTH, cornerS + lastS - s, cornerT + lastT - t, unread))) {
+            return true;
+        }
+        double ux = landed[AFTER_T] - landed[AFTER_S];
+        double uy = landed[AFTER_T + 1] - landed[AFTER_S + 1];
+        double uz = landed[AFTER_T + 2] - landed[AFTER_S + 2];
+        double vx = landed[AFTER_BOTH] - landed[AFTER_S];
+        double vy = landed[AFTER_BOTH + 1] - landed[AFTER_S + 1];
+        double vz = landed[AFTER_BOTH + 2] - landed[AFTER_S + 2];
+        return !(alongNormal(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx) * orientation > 0);
     }
 
     private boolean isTurnedOver(double ds, double dt, double orientation) {

@@ -12,6 +12,8 @@
  *   <li>[Thesis] H. A. Bailey, 1999; 4.5 to 4.8 for photon maps.
  *   <li>[García et al. 2012] R. García, C. Ureña, M. Sbert, Description and solution of an unreported intrinsic bias in
  *       photon mapping density estimation with constant kernel.
+ *   <li>[García et al. 2014] R. García, C. Ureña, J. Poch, M. Sbert, Overestimation and underestimation biases in photon mapping
+ *       with non-constant kernels.
  *   <li>[Jensen 1996] H. W. Jensen, Global illumination using photon maps.
  *   <li>[Knaus and Zwicker 2011] C. Knaus, M. Zwicker, Progressive photon mapping: a probabilistic approach.
  *   <li>[Mitchell and Hanrahan 1992] D. Mitchell, P. Hanrahan, Illumination from curved reflectors.
@@ -19,6 +21,7 @@
  *   <li>[Roberts 2018] M. Roberts, The unreasonable effectiveness of quasirandom sequences.
  *   <li>[Silverman 1986] B. W. Silverman, Density estimation for statistics and data analysis.
  *   <li>[Sutherland and Hodgman 1974] I. E. Sutherland, G. W. Hodgman, Reentrant polygon clipping.
+ *   <li>[Tricomi and Erdélyi 1951] F. Tricomi, A. Erdélyi, The asymptotic expansion of a ratio of gamma functions.
  * </ul>
  */
 package org.diacaustic.map;

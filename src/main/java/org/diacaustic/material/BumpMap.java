@@ -38,8 +38,11 @@ public interface BumpMap {
             z += gz;
         }
 
-        /** Tilts the shading normal of the hit: n′ ∥ n − (g − (g·n) n). */
+        /** Tilts the shading normal of the hit: n′ ∥ n − (g − (g·n) n). No slope leaves it as it is, to the bit. */
         void tilt(Hit hit) {
+            if (x == 0 && y == 0 && z == 0) {
+                return;
+            }
             double nx = hit.shadingX;
             double ny = hit.shadingY;
             double nz = hit.shadingZ;

@@ -35,8 +35,13 @@ public record Medium(double indexOfRefraction, Color absorption, int priority) {
         return !absorption.isBlack();
     }
 
-    /** The fraction of one channel left after a distance, which may be infinite. */
+    /** The fraction of one channel left after a distance. Both may be infinite: nothing of either leaves all. */
     public static double transmittance(double absorption, double distance) {
-        return absorption == 0 ? 1 : StrictMath.exp(-absorption * distance);
+        return absorption == 0 || distance == 0 ? 1 : StrictMath.exp(-absorption * distance);
+    }
+
+    /** The fraction of one channel lost on the way: 1 − {@link #transmittance}, of which the smallest keeps its digits. */
+    public static double absorbed(double absorption, double distance) {
+        return absorption == 0 || distance == 0 ? 0 : -StrictMath.expm1(-absorption * distance);
     }
 }

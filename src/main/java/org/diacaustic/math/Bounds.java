@@ -62,6 +62,17 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
                 Math.max(maxZ, other.maxZ));
     }
 
+    /** What both hold; empty if they do not overlap. */
+    public Bounds intersection(Bounds other) {
+        return new Bounds(
+                Math.max(minX, other.minX),
+                Math.max(minY, other.minY),
+                Math.max(minZ, other.minZ),
+                Math.min(maxX, other.maxX),
+                Math.min(maxY, other.maxY),
+                Math.min(maxZ, other.maxZ));
+    }
+
     public boolean isEmpty() {
         return !(minX <= maxX && minY <= maxY && minZ <= maxZ);
     }

@@ -2,6 +2,11 @@ package org.diacaustic.math;
 
 /** The real roots of a·x² − 2·b·x + c = 0, and of the usual a·x² + b·x + c. */
 public final class Quadratic {
+    /** Discriminants that are smaller or larger may have lost digits to the range of doubles. */
+    private static final double SMALLEST = 0x1p-900;
+
+    private static final double LARGEST = 0x1p1000;
+
     private Quadratic() {}
 
     /**
@@ -22,6 +27,34 @@ public final class Quadratic {
             return Double.isNaN(roots[0]) ? 0 : 1;
         }
         double discriminant = Arithmetic.differenceOfProducts(b, b, a, c);
+        if (!(Math.abs(discriminant) > SMALLEST && Math.abs(discriminant) < LARGEST)) {
+            return solveScaled(a, b, c, roots);
+        }
+        return solve(a, b, c, discriminant, roots);
+    }
+
+    /** The same where a product may have left the range of doubles: all coefficients and the unknown in units of powers of two. */
+    private static int solveScaled(double a, double b, double c, double[] roots) {
+        if (!(Double.isFinite(a) && Double.isFinite(b) && Double.isFinite(c))) {
+            return 0;
+        }
+        // With x = u·y, where u² is about |c ÷ a|, a·u² and c are alike; then b, the larger or the smaller, decides.
+        int exponentA = Math.getExponent(a);
+        int exponentC = c == 0 ? 2 * Math.getExponent(b) - exponentA : Math.getExponent(c);
+        int half = (exponentC - exponentA) / 2;
+        int common = Math.max(exponentC, Math.getExponent(b) + half);
+        double scaledA = Math.scalb(Math.scalb(a, half), half - common);
+        double scaledB = Math.scalb(b, half - common);
+        double scaledC = Math.scalb(c, -common);
+        double discriminant = Arithmetic.differenceOfProducts(scaledB, scaledB, scaledA, scaledC);
+        int count = scaledA == 0 ? 0 : solve(scaledA, scaledB, scaledC, discriminant, roots);
+        for (int i = 0; i < count; i++) {
+            roots[i] = Math.scalb(roots[i], half);
+        }
+        return count;
+    }
+
+    private static int solve(double a, double b, double c, double discriminant, double[] roots) {
         if (!(discriminant >= 0)) {
             return 0;
         }

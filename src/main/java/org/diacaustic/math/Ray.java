@@ -37,6 +37,12 @@ public final class Ray {
      */
     public double departureError;
 
+    /**
+     * How far before the surface that it leaves the ray starts, measured in t, so that it meets what touches that surface; of
+     * no meaning in free space.
+     */
+    public double departureOffset;
+
     /** The primitive of the nearest hit so far: a number that its shape gave it. */
     public int hitPrimitive;
 
@@ -63,6 +69,9 @@ public final class Ray {
     /** Where shapes that solve for several roots keep them; of no meaning between calls. */
     public final double[] roots = new double[4];
 
+    /** What a shape keeps with the ray so as not to make it for every ray; of no meaning between calls. */
+    public Object scratch;
+
     private Ray local;
 
     /** Sets a ray in free space without end, and forgets the last answer. */
@@ -76,6 +85,7 @@ public final class Ray {
         tMax = Double.POSITIVE_INFINITY;
         leaving = FREE;
         departureError = 0;
+        departureOffset = 0;
         hitPrimitive = 0;
         hitU = 0;
         hitV = 0;

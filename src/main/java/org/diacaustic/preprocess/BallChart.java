@@ -13,8 +13,14 @@ import org.diacaustic.math.Vector3;
  * to its rim: what a sphere does to a ray changes with the root of the distance to the rim, and so evenly.
  */
 final class BallChart extends EmissionChart {
-    /** How far before the rim, in steps of incidence, the chart ends: rays at the very rim go by or not, by rounding. */
+    /**
+     * How far before the rim, in steps of incidence, the chart ends: rays at the very rim go by or not, by rounding. The light
+     * of the rim is given to the other rays.
+     */
     private static final double RIM = 0x1p-20;
+
+    /** The largest part of the steps that may be rim: from farther away the ball is too small to be aimed at. */
+    private static final double LARGEST_RIM = 0x1p-4;
 
     /** The rounding of a ray's distance from the middle, for a unit of the distance it starts at, with a margin. */
     private static final double ROUNDING = 0x1p-46;
@@ -32,6 +38,7 @@ final class BallChart extends EmissionChart {
     private final Vector3 v;
     private final double distance;
     private final double widest;
+    private final double withRim;
     private final double determinant;
     private final double size;
     private final boolean isSimilar;
@@ -44,13 +51,15 @@ final class BallChart extends EmissionChart {
         this.u = axis.perpendicular();
         this.v = axis.cross(u);
         this.widest = 1 - Math.max(RIM, Math.sqrt(distance * ROUNDING));
+        this.withRim = versine(1 / distance) / versine(StrictMath.sin(step(1)) / distance);
         this.determinant = determinant;
         this.size = StrictMath.cbrt(determinant);
         this.isSimilar = isSimilar;
     }
 
     /**
-     * The chart of a ball as a point sees it; empty if the point is inside, or so near that rounding matters.
+     * The chart of a ball as a point sees it; empty if the point is inside, or so near or so far away that rounding
+     * matters.
      *
      * @param toScene the transform of the unit ball about the origin
      */
@@ -60,7 +69,10 @@ final class BallChart extends EmissionChart {
         Vector3 y = toScene.vector(Vector3.UNIT_Y);
         Vector3 z = toScene.vector(Vector3.UNIT_Z);
         double determinant = Math.abs(x.dot(y.cross(z)));
-        boolean isOutside = local.isFinite() && local.length() > 1 + 0x1p-10 && determinant > 0;
+        boolean isOutside = local.isFinite()
+                && local.length() > 1 + 0x1p-10
+                && local.length() * ROUNDING < LARGEST_RIM * LARGEST_RIM
+                && determinant > 0;
         boolean isSimilar = y.equals(new Vector3(0, x.x(), 0)) && z.equals(new Vector3(0, 0, x.x()));
         return isOutside
                 ? Optional.of(new BallChart(from, toScene.linear(), local, determinant, isSimilar))
@@ -122,7 +134,13 @@ final class BallChart extends EmissionChart {
         double square = twice * twice;
         double sine = Math.sqrt(0.5 * (1 - evenSeries(COSINE, square))) / distance;
         double cosine = Math.sqrt((1 - sine) * (1 + sine));
-        return Math.PI * widestStep * widestStep * evenSeries(SINE_RATIO, square) / (distance * distance * cosine);
+        return withRim
+                * (Math.PI * widestStep * widestStep * evenSeries(SINE_RATIO, square) / (distance * distance * cosine));
+    }
+
+    /** 1 − cos of the angle of a sine. */
+    private static double versine(double sine) {
+        return sine * sine / (1 + Math.sqrt((1 - sine) * (1 + sine)));
     }
 
     private static double evenSeries(double[] coefficients, double square) {

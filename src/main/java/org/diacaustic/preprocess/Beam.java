@@ -27,6 +27,7 @@ public final class Beam {
     private final ForwardSettings settings;
     private final MediumStack mediaAtLight;
     private final double startDistance;
+    private final double typicalDepositFactor;
     private final int[] endlessObjects;
     /** Null if it depends on the point of the light. */
     private final EmissionChart uniformChart;
@@ -35,6 +36,7 @@ public final class Beam {
      * @param number of the beam in its plan
      * @param aim what the window holds, in words
      * @param startDistance how far before the middle of the window parallel rays start, beyond everything that has bounds
+     * @param typicalDepositFactor see {@link #typicalDepositFactor()}
      */
     Beam(
             int number,
@@ -45,7 +47,8 @@ public final class Beam {
             long rays,
             ForwardSettings settings,
             MediumStack mediaAtLight,
-            double startDistance) {
+            double startDistance,
+            double typicalDepositFactor) {
         this.number = number;
         this.scene = scene;
         this.light = light;
@@ -55,6 +58,7 @@ public final class Beam {
         this.settings = settings;
         this.mediaAtLight = mediaAtLight;
         this.startDistance = startDistance;
+        this.typicalDepositFactor = typicalDepositFactor;
         this.endlessObjects = isParallel() ? endlessObjects(scene) : new int[0];
         this.uniformChart = light.isVisible() ? null : uniformChart();
     }
@@ -112,6 +116,14 @@ public final class Beam {
     /** How far before the middle of the window parallel rays start. */
     double startDistance() {
         return startDistance;
+    }
+
+    /**
+     * What a flux is multiplied by where it lands, about: without it, lights of different falloff cannot be compared by their
+     * fluxes. 1 in nature.
+     */
+    double typicalDepositFactor() {
+        return typicalDepositFactor;
     }
 
     /** The numbers of the objects that parallel rays may have met before they start; none for other rays. Not to be changed. */

@@ -44,7 +44,7 @@ public final class ForwardPass {
         this.plan = plan;
         this.pass = pass;
         this.workers = plan.isSequential() ? new Workers(1, workers.stop()) : workers;
-        this.store = new PhotonStore(plan.origin(), plan.powerUnit(), plan.capacity());
+        this.store = new PhotonStore(plan.origin(), plan.lengthUnit(), plan.powerUnit(), plan.capacity());
     }
 
     /** A pass that reports to nobody. */
@@ -106,12 +106,32 @@ public final class ForwardPass {
         return (int) tasks;
     }
 
-    /** Runs a stage of a pre-processor whose tasks are cut by the pre-processor itself. */
+    /**
+     * Runs a stage of a pre-processor whose tasks are cut by the pre-processor itself. A task may be run twice, with the same
+     * random numbers: what it writes, apart from what it stores, is to be the same then.
+     */
     public void shootTasks(int tasks, Body body) {
         long streams = streams(stage.getAndIncrement());
+        if (raysPlanned > plan.capacity() && !plan.isSequential()) {
+            requireRoom(tasks, streams, body);
+        }
         for (int first = 0; first < tasks && !workers.stop().isSet(); first += TASKS_A_ROUND) {
             shootRound(first, Math.min(TASKS_A_ROUND, tasks - first), streams, body);
         }
+    }
+
+    private void requireRoom(int tasks, long streams, Body body) {
+        PhotonStore tried = new PhotonStore(plan.origin(), plan.lengthUnit(), plan.powerUnit(), plan.capacity());
+        StoreForecast.requireRoom("photons", plan.capacity(), store.size(), tasks, workers, () -> {
+            LightTracer tracer = new LightTracer(plan, workers.stop(), initialHits);
+            LightEmitter emitter = new LightEmitter(tracer, beam, streams);
+            return task -> {
+                ForwardCounters counts = new ForwardCounters();
+                tracer.startTask(tried.slice(), new EnergyLedger(), counts);
+                body.run(task, emitter);
+                return counts.stored();
+            };
+        });
     }
 
     /** Runs some of a stage's tasks, and puts together what they brought, so that it is not kept apart for long. */

@@ -1,6 +1,7 @@
 package org.diacaustic.preprocess;
 
 import java.util.List;
+import org.diacaustic.math.Arithmetic;
 import org.diacaustic.math.Vector3;
 import org.diacaustic.scene.EstimatorName;
 import org.diacaustic.scene.MapName;
@@ -20,7 +21,7 @@ import org.diacaustic.transport.PathRules;
  * @param seed of all random choices
  * @param origin the middle of what has bounds: photons are placed relative to it
  * @param extent the radius of a ball about the origin that holds it, positive
- * @param powerUnit a power of two near the power of a photon, in W
+ * @param powerUnit about the power of a photon, in W
  * @param capacity the most photons that may be stored
  * @param map what keeps the light, chosen
  * @param estimator how it is read, chosen
@@ -43,6 +44,16 @@ public record ForwardPlan(
         EstimatorName estimator,
         int passes,
         MapSettings maps) {
+
+    /** The unit that places of photons and cells are kept in: about the extent. */
+    double lengthUnit() {
+        return unit(extent);
+    }
+
+    /** The same, or the nearest that can be divided by. */
+    static double unit(double size) {
+        return Arithmetic.clamp(size, Double.MIN_NORMAL, 1 / Double.MIN_NORMAL);
+    }
 
     /** The rays that are to be chosen in a pass. */
     public long rays() {

@@ -7,7 +7,6 @@ import org.diacaustic.light.Light;
 import org.diacaustic.light.LightPoint;
 import org.diacaustic.map.CellStore;
 import org.diacaustic.material.TransportMode;
-import org.diacaustic.math.Arithmetic;
 import org.diacaustic.math.Bounds;
 import org.diacaustic.math.Rgb;
 import org.diacaustic.math.Vector3;
@@ -108,7 +107,7 @@ public final class ForwardPlanner {
                 settings.seed(),
                 bounds.isEmpty() ? Vector3.ZERO : bounds.centre(),
                 !bounds.isEmpty() && bounds.radius() > 0 ? bounds.radius() : 1,
-                powerUnit > 0 ? Arithmetic.powerOfTwoNear(powerUnit) : 1,
+                powerUnit > 0 ? ForwardPlan.unit(powerUnit) : 1,
                 capacity(map),
                 map,
                 estimator,
@@ -168,8 +167,17 @@ public final class ForwardPlanner {
         }
         MediumStack media = MediumLocator.locate(index, start);
         Beam beam = new Beam(
-                number, index, target.light, target.window, names(target.window), rays, forward, media, startDistance);
-        target.flux = flux(beam, middle);
+                number,
+                index,
+                target.light,
+                target.window,
+                names(target.window),
+                rays,
+                forward,
+                media,
+                startDistance,
+                depositFactor(target, middle));
+        target.flux = flux(beam, middle) * beam.typicalDepositFactor();
         return beam;
     }
 
@@ -223,22 +231,33 @@ public final class ForwardPlanner {
         return sum / samples.size();
     }
 
-    private double typicalPower(Beam beam, Target target, boolean isWeighted) {
-        if (target.light.spread() == Light.Spread.PARALLEL) {
-            return isWeighted ? target.flux / beam.rays() : 1;
-        }
-        LightPoint middle = middle(target.light);
+    private double depositFactor(Target target, LightPoint middle) {
+        return target.light.spread() == Light.Spread.PARALLEL
+                ? 1
+                : target.light.depositFactor(typicalDistance(target, middle));
+    }
+
+    private double typicalDistance(Target target, LightPoint middle) {
         Vector3 towards = target.window.bounds().isFinite()
                 ? target.window.bounds().centre()
                 : bounds.isEmpty() ? Vector3.ZERO : bounds.centre();
-        double distance = Math.max(
+        return Math.max(
                 towards.minus(new Vector3(middle.x, middle.y, middle.z)).length(),
                 bounds.isEmpty() ? 1 : bounds.radius());
-        double factor = target.light.depositFactor(distance);
-        return isWeighted ? target.flux / beam.rays() * factor : target.flux * factor / (distance * distance);
     }
 
-    /** A light and a window of it. */
+    private double typicalPower(Beam beam, Target target, boolean isWeighted) {
+        if (isWeighted) {
+            return target.flux / beam.rays();
+        }
+        if (target.light.spread() == Light.Spread.PARALLEL) {
+            return 1;
+        }
+        double distance = typicalDistance(target, middle(target.light));
+        return target.flux / (distance * distance);
+    }
+
+    /** A light, a window of it, and about what the one brings to where the light of the other lands, in W. */
     private static final class Target {
         final Light light;
         final EmissionWindow window;

@@ -5,6 +5,7 @@ public final class ForwardTotals {
     private final ForwardCounters counters = new ForwardCounters();
     private final EnergyLedger ledger = new EnergyLedger();
     private long mapBytes;
+    private double gatherRadius;
     private double traceSeconds;
     private double buildSeconds;
 
@@ -24,6 +25,16 @@ public final class ForwardTotals {
 
     public EnergyLedger ledger() {
         return ledger;
+    }
+
+    /** Notes the radius of {@link MapBuilder#gatherRadius()}. */
+    public void noteGatherRadius(double radius) {
+        gatherRadius = radius;
+    }
+
+    /** How far the first pass' photons were looked for, in scene units; 0 if none were looked for so. */
+    public double gatherRadius() {
+        return gatherRadius;
     }
 
     /** The memory that the largest map took. */

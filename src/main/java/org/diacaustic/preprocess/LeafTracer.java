@@ -63,9 +63,9 @@ final class LeafTracer extends LightPathTracer {
     }
 
     @Override
-    protected void starts() {
+    protected void starts(Rgb lost) {
         table.book(EMITTED, flux.sum());
-        book(ABSORBED, 1 - throughput.red, 1 - throughput.green, 1 - throughput.blue);
+        takes(lost);
     }
 
     @Override
@@ -113,12 +113,9 @@ final class LeafTracer extends LightPathTracer {
                 throughput.blue * (1 - r.blue - t.blue));
     }
 
-    /** Before the first surface it is not known whether the ray counts: {@link #starts} makes up for it. */
     @Override
-    protected void absorbed(double red, double green, double blue) {
-        if (depth > 0) {
-            book(ABSORBED, throughput.red * (1 - red), throughput.green * (1 - green), throughput.blue * (1 - blue));
-        }
+    protected void takes(Rgb lost) {
+        book(ABSORBED, lost.red, lost.green, lost.blue);
     }
 
     @Override

@@ -1,6 +1,8 @@
 package org.diacaustic.preprocess;
 
+import org.diacaustic.material.Medium;
 import org.diacaustic.math.Ray;
+import org.diacaustic.math.Rgb;
 import org.diacaustic.parallel.StopSignal;
 import org.diacaustic.scene.SceneIndex;
 import org.diacaustic.transport.PathRules;
@@ -17,6 +19,11 @@ abstract class LightPathTracer extends PathTracer {
     private final Ray upstream = new Ray();
     private Beam beam;
     private LightRay primary;
+
+    /** What media took of the ray before its first surface. */
+    private final Rgb takenBefore = new Rgb();
+
+    private final Rgb taken = new Rgb();
 
     /** The first object whose invisible boundary the ray passed before it was mirrored or refracted, or none. */
     private int passedFirst;
@@ -45,6 +52,7 @@ abstract class LightPathTracer extends PathTracer {
         beam = from;
         primary = aimed;
         passedFirst = SceneIndex.NONE;
+        takenBefore.set(0, 0, 0);
         if (comesThroughEndless()) {
             return;
         }
@@ -75,8 +83,12 @@ abstract class LightPathTracer extends PathTracer {
         return false;
     }
 
-    /** The ray that counts has met its first surface, or, if there is none, nothing at all. */
-    protected abstract void starts();
+    /**
+     * The ray that counts has met its first surface, or, if there is none, nothing at all.
+     *
+     * @param lost the fractions of its flux that media took on the way there
+     */
+    protected abstract void starts(Rgb lost);
 
     /** It met a surface that neither mirrors nor refracts first, which is lit directly. */
     protected abstract void staysDirect();
@@ -91,6 +103,9 @@ abstract class LightPathTracer extends PathTracer {
     /** It met a surface after being mirrored or refracted. */
     protected abstract void lands(int object, int side);
 
+    /** Media took these fractions of the ray's flux on the way between surfaces. */
+    protected void takes(Rgb lost) {}
+
     /** What was met was met; called before anything else is said of it. */
     protected void meets() {}
 
@@ -99,6 +114,21 @@ abstract class LightPathTracer extends PathTracer {
 
     /** The path leaves the scene. */
     protected abstract void escapes();
+
+    /** Before the first surface it is not known whether the ray counts: {@link #starts} makes up for it. */
+    @Override
+    protected final void absorbs(Medium medium, double length) {
+        taken.set(throughput)
+                .multiply(
+                        Medium.absorbed(medium.absorption().red(), length),
+                        Medium.absorbed(medium.absorption().green(), length),
+                        Medium.absorbed(medium.absorption().blue(), length));
+        if (depth > 0) {
+            takes(taken);
+        } else {
+            takenBefore.add(taken);
+        }
+    }
 
     @Override
     protected final boolean arrive(int object, int side) {
@@ -113,7 +143,7 @@ abstract class LightPathTracer extends PathTracer {
             return false;
         }
         if (isFirst && !isSpecular()) {
-            starts();
+            starts(takenBefore);
             staysDirect();
             return false;
         }
@@ -121,7 +151,7 @@ abstract class LightPathTracer extends PathTracer {
             // The window of that object sends this light.
             return false;
         }
-        starts();
+        starts(takenBefore);
         if (!enters(object)) {
             return false;
         }
@@ -161,7 +191,7 @@ abstract class LightPathTracer extends PathTracer {
                 // It went by the very edge of what it was aimed at: by rounding only.
                 return;
             }
-            starts();
+            starts(takenBefore);
         }
         escapes();
     }

@@ -151,23 +151,16 @@ final class LightTracer extends LightPathTracer {
         }
     }
 
-    /** Before the first surface it is not known whether the ray counts: {@link #starts} makes up for it. */
     @Override
-    protected void absorbed(double red, double green, double blue) {
-        if (depth > 0) {
-            book(
-                    EnergyLedger::absorb,
-                    throughput.red * (1 - red),
-                    throughput.green * (1 - green),
-                    throughput.blue * (1 - blue));
-        }
+    protected void takes(Rgb lost) {
+        book(EnergyLedger::absorb, lost.red, lost.green, lost.blue);
     }
 
     /** Books a ray that counts, and what media absorbed on its way to the first surface. */
     @Override
-    protected void starts() {
+    protected void starts(Rgb lost) {
         book(EnergyLedger::emit, 1, 1, 1);
-        book(EnergyLedger::absorb, 1 - throughput.red, 1 - throughput.green, 1 - throughput.blue);
+        takes(lost);
     }
 
     @Override

@@ -37,6 +37,7 @@ public final class MapBuilder {
     private final MapSettings settings;
     private final Workers workers;
     private double firstRadius;
+    private boolean isRadiusChecked;
     /** Of the first pass, for all; null before. */
     private List<AmbientChart> charts;
 
@@ -59,7 +60,10 @@ public final class MapBuilder {
         return plan.map() == MapName.AMBIENT_MAPS ? ambientMaps(camera, photons) : photonMap(photons, pass);
     }
 
-    /** How far photons are looked for: as given, or as the first pass' photons say; 0 if there was no pass yet. */
+    /**
+     * How far photons are looked for: as given, or as the first pass' photons say, which it is too if densities are asked for and
+     * half of those have no other within what is given; 0 if there was no pass yet, or none of photons.
+     */
     public double gatherRadius() {
         return firstRadius;
     }
@@ -113,14 +117,19 @@ public final class MapBuilder {
             case PROGRESSIVE -> new Estimator.Density(Estimator.progressiveRadius(radius, pass + 1), kernel);
             default ->
                 new Estimator.Nearest(
-                        settings.gatherCount(),
-                        settings.gatherRadius() > 0 ? settings.gatherRadius() : FARTHEST * radius,
-                        kernel);
+                        settings.gatherCount(), radius == settings.gatherRadius() ? radius : FARTHEST * radius, kernel);
         };
     }
 
     /** What is given, or the reach within which half of the first pass' photons have as many others as are to be gathered. */
     private double radius(PhotonTree tree, PhotonFilter filter) {
+        boolean isArea = plan.estimator() != EstimatorName.EXPECTED_COUNT;
+        if (!isRadiusChecked && isArea && firstRadius > 0 && tree.size() > 1) {
+            // Discs that hold no two photons show specks, and no light.
+            firstRadius =
+                    GatherStatistics.medianNeighbourDistance(tree, 1, filter, SAMPLES) > firstRadius ? 0 : firstRadius;
+        }
+        isRadiusChecked = true;
         if (firstRadius == 0 && tree.size() > 1) {
             int count = Math.min(settings.gatherCount(), tree.size() - 1);
             double median = GatherStatistics.medianNeighbourDistance(tree, count, filter, SAMPLES);

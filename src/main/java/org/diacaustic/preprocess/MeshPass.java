@@ -40,8 +40,8 @@ public final class MeshPass {
         this.pass = pass;
         this.workers = workers;
         this.progress = progress;
-        this.cells = new CellStore(plan.origin(), plan.powerUnit(), plan.capacity());
-        this.largeCells = new CellStore(plan.origin(), plan.powerUnit(), plan.capacity());
+        this.cells = new CellStore(plan.origin(), plan.lengthUnit(), plan.powerUnit(), plan.capacity());
+        this.largeCells = new CellStore(plan.origin(), plan.lengthUnit(), plan.powerUnit(), plan.capacity());
     }
 
     /**
@@ -56,7 +56,7 @@ public final class MeshPass {
      * }</pre>
      */
     public MeshPass keepingSeeds() {
-        cells = CellStore.keepingSeeds(plan.origin(), plan.powerUnit(), plan.capacity());
+        cells = CellStore.keepingSeeds(plan.origin(), plan.lengthUnit(), plan.powerUnit(), plan.capacity());
         return this;
     }
 
@@ -66,6 +66,9 @@ public final class MeshPass {
         List<LatticePatch> patches = new ArrayList<>();
         for (int chart = 0; chart < lattices.size(); chart++) {
             addPatches(chart, patches);
+        }
+        if (plan.rays() > plan.capacity()) {
+            requireRoom(patches);
         }
         AtomicInteger done = new AtomicInteger();
         for (int first = 0; first < patches.size() && !workers.stop().isSet(); first += PATCHES_A_ROUND) {
@@ -92,6 +95,24 @@ public final class MeshPass {
                         Math.min(PATCH, lattice.rows() - row)));
             }
         }
+    }
+
+    private void requireRoom(List<LatticePatch> patches) {
+        CellStore tried = new CellStore(plan.origin(), plan.lengthUnit(), plan.powerUnit(), plan.capacity());
+        StoreForecast.requireRoom("cells", plan.capacity(), 0, patches.size(), workers, () -> {
+            MeshPatch maker = new MeshPatch(new LeafTracer(plan, workers.stop()));
+            return task -> {
+                CellSlice slice = tried.slice();
+                maker.make(
+                        patches.get(task),
+                        streams(task),
+                        slice,
+                        tried.slice(),
+                        new EnergyLedger(),
+                        new ForwardCounters());
+                return slice.size();
+            };
+        });
     }
 
     private void makeRound(List<LatticePatch> patches, int firstNumber, Runnable done) {

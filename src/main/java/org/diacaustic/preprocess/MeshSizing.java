@@ -83,8 +83,11 @@ final class MeshSizing {
     }
 
     /** By which the rays are dealt out: errors grow with the power and fall with the rays, and so their squares' sum is least. */
-    private static double importance(double power, Beam beam) {
-        double ofPoint = power > 0 ? StrictMath.cbrt(power * power) : 0;
+    private double importance(double power, Beam beam) {
+        // In units that go along with the scene: a cube root turns other powers of two than those of 8 into other
+        // digits.
+        double landing = power * beam.typicalDepositFactor() / plan.powerUnit();
+        double ofPoint = landing > 0 ? StrictMath.cbrt(landing * landing) : 0;
         return beam.pointCount() == 1 ? ofPoint : SOFT_IMPORTANCE * ofPoint;
     }
 

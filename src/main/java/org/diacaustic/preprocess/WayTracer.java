@@ -100,7 +100,7 @@ final class WayTracer extends LightPathTracer {
     }
 
     @Override
-    protected void starts() {}
+    protected void starts(Rgb lost) {}
 
     @Override
     protected void staysDirect() {}

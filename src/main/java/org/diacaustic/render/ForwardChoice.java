@@ -157,8 +157,11 @@ final class ForwardChoice {
         if (!traits.isDiffuse()) {
             return "nothing is diffuse, so light that lands cannot be seen";
         }
-        return traits.isStraight(forward)
-                ? "nothing bends light or mirrors it, so straight shadow rays are exact"
+        if (traits.isStraight(forward)) {
+            return "nothing bends light or mirrors it, so straight shadow rays are exact";
+        }
+        return traits.looksStraight(forward)
+                ? "what is transparent turns light by less than a hundredth of a pixel, so straight shadow rays are as good"
                 : null;
     }
 

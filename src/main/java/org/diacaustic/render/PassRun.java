@@ -149,6 +149,7 @@ final class PassRun {
         long traced = System.nanoTime();
         IlluminationMap map =
                 workers.stop().isSet() ? null : builder.build(plan.scene().camera(), pass.photons(), begun);
+        forward.noteGatherRadius(builder.gatherRadius());
         long bytes = map == null ? 0 : map.bytes();
         forward.add(pass.counters(), pass.ledger(), bytes, seconds(start, traced), seconds(traced, System.nanoTime()));
         return new Illumination(map, null);

@@ -10,6 +10,15 @@ import org.diacaustic.scene.SceneObject;
 
 /** What a scene has and has not: the facts that the plan decides by. */
 final class SceneTraits {
+    /** The part of a pixel by which light may miss its place unseen. */
+    private static final double UNSEEN = 0.01;
+
+    /** The tangent of incidence that all but a thousandth of a silhouette keeps below. */
+    private static final double STEEPEST = 32;
+
+    /** How many times farther from where it is bent light may land than the eye is from there. */
+    private static final double LEVER = 10;
+
     private final Scene scene;
 
     SceneTraits(Scene scene) {
@@ -47,6 +56,18 @@ final class SceneTraits {
                 && (!forward.followsReflections() || mirroring().isEmpty());
     }
 
+    /**
+     * Whether lamps light surfaces as good as straight: a step of the index turns light by the step · the tangent of incidence,
+     * and where that is done twice it lands by less than {@link #UNSEEN} of a pixel from where it would have.
+     */
+    boolean looksStraight(ForwardSettings forward) {
+        double largest = Math.sqrt(scene.camera().pixelArea()) * UNSEEN / (2 * STEEPEST * LEVER);
+        return scene.objects().stream()
+                        .filter(object -> object.material().isTransparent())
+                        .allMatch(object -> indexStep(object) <= largest)
+                && (!forward.followsReflections() || mirroring().isEmpty());
+    }
+
     boolean hasAbsorption() {
         return materials()
                 .filter(Material::isTransparent)
@@ -66,17 +87,24 @@ final class SceneTraits {
         return scene.lights().stream().anyMatch(light -> light.highlightExponent() > 0);
     }
 
-    /** Whether an index that may meet the object's own differs from it. */
     private boolean bends(SceneObject object) {
+        return indexStep(object) > 0;
+    }
+
+    /** The largest difference of the object's index and one that may meet it. */
+    private double indexStep(SceneObject object) {
         double own = object.material().inside().indexOfRefraction();
         if (!object.shape().isClosed()) {
-            return object.material().outside().indexOfRefraction() != own;
+            return Math.abs(object.material().outside().indexOfRefraction() - own);
         }
-        return own != Medium.VACUUM.indexOfRefraction()
-                || scene.objects().stream()
-                        .filter(other -> other.material().isTransparent())
-                        .flatMap(other -> mediaAround(other, object))
-                        .anyMatch(medium -> medium.indexOfRefraction() != own);
+        return Stream.concat(
+                        Stream.of(Medium.VACUUM),
+                        scene.objects().stream()
+                                .filter(other -> other.material().isTransparent())
+                                .flatMap(other -> mediaAround(other, object)))
+                .mapToDouble(medium -> Math.abs(medium.indexOfRefraction() - own))
+                .max()
+                .orElse(0);
     }
 
     /** The media of one object that another may lie in: those of open surfaces anywhere, of closed ones that overlap. */

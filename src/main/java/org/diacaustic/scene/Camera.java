@@ -26,7 +26,7 @@ public final class Camera {
         this.up = right.cross(forward);
         this.width = builder.width;
         this.height = builder.height;
-        this.halfHeight = StrictMath.tan(StrictMath.toRadians(builder.fieldOfViewDegrees) / 2);
+        this.halfHeight = halfHeight(builder.fieldOfViewDegrees);
         this.halfWidth = halfHeight * width / height;
         this.lensRadius = builder.lensRadius;
         this.focusDistance = Double.isNaN(builder.focusDistance)
@@ -45,6 +45,13 @@ public final class Camera {
         this.halfWidth = halfHeight * width / height;
         this.lensRadius = view.lensRadius;
         this.focusDistance = view.focusDistance;
+    }
+
+    /** The tangent of half the angle; of a wide one, whose difference from 180° has all its digits, by its complement. */
+    private static double halfHeight(double degrees) {
+        return degrees <= 90
+                ? StrictMath.tan(StrictMath.toRadians(degrees) / 2)
+                : 1 / StrictMath.tan(StrictMath.toRadians(180 - degrees) / 2);
     }
 
     private static int checkedPixels(int side, int across, int down) {
@@ -179,10 +186,10 @@ public final class Camera {
 
         /**
          * @param lens radius of the aperture, in scene units; 0 for a pinhole
-         * @param focus depth of what is sharp, measured along the axis; positive
+         * @param focus depth of what is sharp, measured along the axis; positive, infinite for what is endlessly far away
          */
         public Builder lens(double lens, double focus) {
-            if (!(lens >= 0 && lens < Double.POSITIVE_INFINITY && focus > 0 && focus < Double.POSITIVE_INFINITY)) {
+            if (!(lens >= 0 && lens < Double.POSITIVE_INFINITY && focus > 0)) {
                 throw new IllegalArgumentException("a lens needs a radius of at least 0 and a positive focus distance,"
                         + " but has " + lens + " and " + focus);
             }

@@ -18,6 +18,9 @@ public final class MediumLocator {
     /** Any direction does; this one runs along no axis, face or diagonal that scenes are built on. */
     private static final Vector3 PROBE = new Vector3(0.2718, 0.8281, 0.4590).normalized();
 
+    /** Some steps of arithmetic on coordinates, relative to their size. */
+    private static final double ROUNDING = 0x1p-44;
+
     private MediumLocator() {}
 
     /** The media at {@code point}. */
@@ -66,6 +69,29 @@ public final class MediumLocator {
                     return boundary != null && boundary.fromInside;
                 })
                 .findFirst();
+    }
+
+    /** The first object whose surface {@code point} lies on, up to rounding: on which side it is would be chance. */
+    public static Optional<SceneObject> surfaceAt(List<SceneObject> objects, Vector3 point) {
+        return objects.stream().filter(object -> touches(object.shape(), point)).findFirst();
+    }
+
+    /** Whether a surface crosses one of the four diagonals through a point, no farther off than rounding may bring it. */
+    private static boolean touches(Shape shape, Vector3 point) {
+        Bounds bounds = shape.bounds();
+        double size = bounds.isFinite() ? Math.max(point.length(), bounds.radius()) : point.length();
+        double half = ROUNDING * size;
+        Ray ray = new Ray();
+        for (int i = 0; i < 4; i++) {
+            Vector3 direction = new Vector3(
+                    PROBE.x(), (i & 1) == 0 ? PROBE.y() : -PROBE.y(), (i & 2) == 0 ? PROBE.z() : -PROBE.z());
+            ray.set(point.minus(direction.times(half)), direction);
+            ray.tMax = 2 * half;
+            if (shape.intersect(ray)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private static Vector3 towards(Shape shape, Bounds bounds, Vector3 point) {

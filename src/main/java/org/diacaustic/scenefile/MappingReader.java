@@ -224,6 +224,18 @@ final class MappingReader {
         return listItems(key).stream().map(Variant::new).toList();
     }
 
+    /** As {@link #variants(String)}; a problem if the list is missing or has fewer. */
+    public List<Variant> variants(String key, int atLeast) {
+        Slot slot = slot(key);
+        String expected = "a list of at least " + atLeast + " mappings with one key that names a kind";
+        if (slot.isAbsent()) {
+            slot.missing(expected);
+        } else if (slot.node() instanceof Sequence list && list.items().size() < atLeast) {
+            slot.error("expected " + expected + ", found " + list.items().size());
+        }
+        return variants(key);
+    }
+
     private List<Slot> listItems(String key) {
         Slot slot = slot(key);
         if (slot.node() instanceof Sequence list) {

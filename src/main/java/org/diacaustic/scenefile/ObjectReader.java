@@ -5,7 +5,6 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.function.Function;
 import org.diacaustic.material.Material;
 import org.diacaustic.math.Bounds;
@@ -14,10 +13,12 @@ import org.diacaustic.math.Vector3;
 import org.diacaustic.scene.SceneObject;
 import org.diacaustic.shape.Hit;
 import org.diacaustic.shape.Shape;
-import org.diacaustic.shape.Transformed;
 
 /** Reads {@code objects}: a shape each, with a name, a material, and perhaps a place of its own. */
 final class ObjectReader {
+    /** As for the reach of lookups; the square of a length that is larger may be infinite, and of its inverse 0. */
+    private static final double LARGEST = 1e150;
+
     private final MappingReader root;
     private final Map<String, Material> materials;
     private final Map<String, Place> names = new HashMap<>();
@@ -43,13 +44,24 @@ final class ObjectReader {
         String name = name(in, kind);
         Material material = material(in);
         Vector3 inside = in.direction("inside").optional().orElse(null);
-        Optional<org.diacaustic.math.Transform> transform = TransformReader.read(in);
-        Shape shape = shapeReader.apply(in);
-        if (shape == null || material == null) {
+        Shape placed = ShapeReader.placed(in, shapeReader);
+        if (placed == null || material == null) {
             return null;
         }
-        Shape placed = transform.<Shape>map(t -> new Transformed(shape, t)).orElse(shape);
+        requireSize(in, placed);
         return new SceneObject(name, placed, turned(in, placed, material, inside));
+    }
+
+    /** Refuses a shape with lengths whose squares are no doubles; what has no end by its nature may have none. */
+    private static void requireSize(MappingReader in, Shape shape) {
+        Bounds bounds = shape.bounds();
+        boolean bounded = !bounds.isEmpty() && (bounds.isFinite() || shape.isClosed());
+        double size = bounds.radius();
+        double away = bounds.centre().length();
+        if (bounded && !(size >= 1 / LARGEST && size <= LARGEST && away <= LARGEST)) {
+            in.error("expected a shape with a size from " + 1 / LARGEST + " to " + LARGEST
+                    + ", and no farther away, found one of " + size + " at " + bounds.centre());
+        }
     }
 
     private String name(MappingReader in, String kind) {

@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.diacaustic.light.Light;
 import org.diacaustic.material.Material;
 import org.diacaustic.math.Color;
+import org.diacaustic.math.Vector3;
 import org.diacaustic.scene.Camera;
 import org.diacaustic.scene.MediumLocator;
 import org.diacaustic.scene.Scene;
@@ -49,12 +50,19 @@ public final class SceneReader {
         if (objects.isEmpty()) {
             root.warning("no objects: the picture shows the background only");
         }
-        MediumLocator.opaqueAround(objects, camera.from())
-                .ifPresent(object ->
-                        view.warning("from", "the camera stands inside " + object.name() + ", which is opaque"));
+        whereCameraStands(objects, camera.from()).ifPresent(where -> view.warning("from", where));
         if (lights.isEmpty()) {
             root.warning("no lights: the picture shows ambient light and background only");
         }
         return Optional.of(new SceneFile(new Scene(camera, lights, objects, background), settings));
+    }
+
+    /** What is doubtful about the place of the camera. */
+    private static Optional<String> whereCameraStands(List<SceneObject> objects, Vector3 eye) {
+        Optional<String> on = MediumLocator.surfaceAt(objects, eye)
+                .map(object -> "the camera stands on the surface of " + object.name()
+                        + "; rounding decides on which side of it");
+        return on.or(() -> MediumLocator.opaqueAround(objects, eye)
+                .map(object -> "the camera stands inside " + object.name() + ", which is opaque"));
     }
 }

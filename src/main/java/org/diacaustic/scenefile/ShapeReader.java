@@ -1,12 +1,17 @@
 package org.diacaustic.scenefile;
 
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
 import org.diacaustic.math.Bounds;
+import org.diacaustic.math.Transform;
 import org.diacaustic.math.Vector3;
 import org.diacaustic.shape.Box;
+import org.diacaustic.shape.Combination;
 import org.diacaustic.shape.ConvexPolygon;
 import org.diacaustic.shape.Disc;
 import org.diacaustic.shape.Ellipsoid;
@@ -18,10 +23,14 @@ import org.diacaustic.shape.Shape;
 import org.diacaustic.shape.Sphere;
 import org.diacaustic.shape.Sphereflake;
 import org.diacaustic.shape.Torus;
+import org.diacaustic.shape.Transformed;
 import org.diacaustic.shape.TriangleMesh;
 
 /** Reads the shapes of objects, each from the keys of its own. */
 final class ShapeReader {
+    /** Kinds of shapes that enclose nothing. */
+    private static final Set<String> FLAT = Set.of("plane", "polygon", "disc");
+
     private final Problems problems;
     private final Map<String, Function<MappingReader, Shape>> kinds = new Kinds<Function<MappingReader, Shape>>()
             .with("plane", ShapeReader::plane)
@@ -36,6 +45,9 @@ final class ShapeReader {
             .with("torus", ShapeReader::torus)
             .with("sphereflake", ShapeReader::sphereflake)
             .with("mesh", this::mesh)
+            .with("union", in -> combination(in, Combination.Kind.UNION))
+            .with("intersection", in -> combination(in, Combination.Kind.INTERSECTION))
+            .with("difference", in -> combination(in, Combination.Kind.DIFFERENCE))
             .map();
 
     ShapeReader(Problems problems) {
@@ -143,6 +155,29 @@ final class ShapeReader {
         double ratio = in.number("ratio").above(0).below(1).or(1.0 / 3);
         Vector3 up = in.direction("up").or(Vector3.UNIT_Y);
         return Building.of(in, () -> new Sphereflake(kind, depth, at, radius, ratio, up, up.perpendicular()));
+    }
+
+    private Shape combination(MappingReader in, Combination.Kind kind) {
+        Map<String, Function<MappingReader, Shape>> placed = new LinkedHashMap<>();
+        kinds.forEach((name, shape) -> {
+            if (!FLAT.contains(name)) {
+                placed.put(name, part -> placed(part, shape));
+            }
+        });
+        List<Shape> shapes = in.variants("of", 2).stream()
+                .map(part -> part.read(placed))
+                .flatMap(Optional::stream)
+                .toList();
+        return Building.of(in, () -> Combination.of(kind, shapes));
+    }
+
+    /** A shape with the transform that its keys may hold. */
+    static Shape placed(MappingReader in, Function<MappingReader, Shape> reader) {
+        Optional<Transform> transform = TransformReader.read(in);
+        Shape shape = reader.apply(in);
+        return shape == null
+                ? null
+                : transform.<Shape>map(t -> new Transformed(shape, t)).orElse(shape);
     }
 
     private Shape mesh(MappingReader in) {

@@ -23,6 +23,9 @@ final class SyntaxErrors {
             return problem(
                     YamlParser.place(source, began), "the bracket opened here is not closed: " + found + noticed);
         }
+        if (found.contains("unexpected end of stream") && began.isPresent()) {
+            return problem(YamlParser.place(source, began), "the quote opened here is not closed");
+        }
         if (found.contains("TAB")) {
             found = "a tab cannot begin a value or indent it; use spaces";
         }

@@ -23,6 +23,7 @@ import org.snakeyaml.engine.v2.exceptions.Mark;
 import org.snakeyaml.engine.v2.exceptions.MarkedYamlEngineException;
 import org.snakeyaml.engine.v2.exceptions.ReaderException;
 import org.snakeyaml.engine.v2.exceptions.YamlEngineException;
+import org.snakeyaml.engine.v2.exceptions.YamlVersionException;
 import org.snakeyaml.engine.v2.parser.ParserImpl;
 import org.snakeyaml.engine.v2.scanner.StreamReader;
 
@@ -60,6 +61,8 @@ final class YamlParser {
             problems.add(SyntaxErrors.explain(source, syntax));
         } catch (ReaderException character) {
             problems.add(SyntaxErrors.explain(source, text, character));
+        } catch (YamlVersionException version) {
+            problems.error(new Place(source, 1, 1), "", "is YAML of another version; a scene file is YAML 1.2");
         } catch (YamlEngineException other) {
             problems.error(Place.of(source), "", "is not YAML: " + other.getMessage());
         }

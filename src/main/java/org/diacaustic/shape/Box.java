@@ -68,7 +68,10 @@ public final class Box implements Shape {
             // Inward from a face there is always a way out, be it shorter than rounding.
             return goesInward(ray) && accept(ray, Math.max(exit, Double.MIN_VALUE), exitFace);
         }
-        return entry < exit && (entry > 0 ? accept(ray, entry, entryFace) : accept(ray, exit, exitFace));
+        // A box thinner than the rounding of distances is met and left at once, but through two faces that lie
+        // opposite.
+        boolean isMet = entry < exit || (entry == exit && (entryFace ^ exitFace) == 1);
+        return isMet && (entry > 0 ? accept(ray, entry, entryFace) : accept(ray, exit, exitFace));
     }
 
     private static boolean goesInward(Ray ray) {

@@ -11,6 +11,9 @@ import org.diacaustic.math.Vector3;
  * spherical one of that unit sphere.
  */
 public final class Ellipsoid implements Shape {
+    /** Newton steps from a rounded distance; of a flat ellipsoid the first is a long one in its shortest radius. */
+    private static final int MOST_STEPS = 4;
+
     private final double centreX;
     private final double centreY;
     private final double centreZ;
@@ -59,7 +62,7 @@ public final class Ellipsoid implements Shape {
     @Override
     public boolean intersect(Ray ray) {
         ray.tests++;
-        double departure = ray.departureError == 0
+        double departure = ray.leaving == Ray.FREE
                 ? 0
                 : ray.departureError
                         * Arithmetic.length(ray.directionX, ray.directionY, ray.directionZ)
@@ -81,21 +84,25 @@ public final class Ellipsoid implements Shape {
         double fx = Math.fma(hit.t, ray.directionX, ray.originX - centreX) / radiusX;
         double fy = Math.fma(hit.t, ray.directionY, ray.originY - centreY) / radiusY;
         double fz = Math.fma(hit.t, ray.directionZ, ray.originZ - centreZ) / radiusZ;
-        // One Newton step along the ray, where the hit is; but not if it grazes, for then the step may be large.
+        // Newton steps along the ray, where the hit is; but not if it grazes, for then a step may be large.
         double dx = ray.directionX / radiusX;
         double dy = ray.directionY / radiusY;
         double dz = ray.directionZ / radiusZ;
-        double further = (1 - (fx * fx + fy * fy + fz * fz)) / (2 * (fx * dx + fy * dy + fz * dz));
-        if (Math.abs(further) < 0x1p-30 * hit.t) {
+        double depth = 1 - (fx * fx + fy * fy + fz * fz);
+        for (int i = 0; i < MOST_STEPS && Math.abs(depth) > Arithmetic.gamma(8); i++) {
+            double further = depth / (2 * (fx * dx + fy * dy + fz * dz));
+            if (!(Math.abs(further) < 0x1p-30 * hit.t)) {
+                break;
+            }
             fx = Math.fma(further, dx, fx);
             fy = Math.fma(further, dy, fy);
             fz = Math.fma(further, dz, fz);
+            depth = 1 - (fx * fx + fy * fy + fz * fz);
         }
         // What remains goes along the normal, which for a flat ellipsoid is not the way to the centre.
         double mx = smallestRadius / radiusX;
         double my = smallestRadius / radiusY;
         double mz = smallestRadius / radiusZ;
-        double depth = 1 - (fx * fx + fy * fy + fz * fz);
         if (Math.abs(depth) > Arithmetic.gamma(8)) {
             double slope = fx * fx * (mx * mx) + fy * fy * (my * my) + fz * fz * (mz * mz);
             double step = depth / (2 * slope);

@@ -35,7 +35,7 @@ final class FlakeSpheres {
         this.spheres = new double[4 * count(children, depth)];
         Vector3 pole = up.normalized();
         Vector3 third = pole.cross(side.normalized()).normalized();
-        grow(kind, ratio, 0, centre, radius, new Frame(third.cross(pole), third, pole));
+        grow(kind, new Sizes(radius, ratio), 0, 0, centre, new Frame(third.cross(pole), third, pole));
     }
 
     /** 1 + k + k² + … + k^depth. */
@@ -54,7 +54,8 @@ final class FlakeSpheres {
         return (int) count;
     }
 
-    private void grow(FlakeKind kind, double ratio, int sphere, Vector3 centre, double radius, Frame frame) {
+    private void grow(FlakeKind kind, Sizes sizes, int level, int sphere, Vector3 centre, Frame frame) {
+        double radius = sizes.ofLevel(level);
         int i = 4 * sphere;
         spheres[i] = centre.x();
         spheres[i + 1] = centre.y();
@@ -64,11 +65,24 @@ final class FlakeSpheres {
         if (child >= count()) {
             return;
         }
+        double distance = radius + sizes.ofLevel(level + 1);
         for (Vector3 local : kind.directions()) {
             Vector3 direction = frame.toScene(local);
             Frame turned = kind.turnsOutward() ? frame.pointing(direction) : frame;
-            grow(kind, ratio, child, centre.plus(direction.times(radius * (1 + ratio))), radius * ratio, turned);
+            grow(kind, sizes, level + 1, child, centre.plus(direction.times(distance)), turned);
             child++;
+        }
+    }
+
+    /** Radii level by level. A ratio that is one part of a whole number, such as a third, is divided by that, without a rounding more. */
+    private record Sizes(double radius, double ratio) {
+
+        double ofLevel(int level) {
+            double divisor = 1;
+            for (int i = 0; i < level; i++) {
+                divisor *= 1 / ratio;
+            }
+            return radius / divisor;
         }
     }
 

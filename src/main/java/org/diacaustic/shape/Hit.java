@@ -102,6 +102,16 @@ public final class Hit {
         shadingZ = nz;
     }
 
+    /** Makes the normals point the other way. */
+    void turnNormals() {
+        normalX = -normalX;
+        normalY = -normalY;
+        normalZ = -normalZ;
+        shadingX = -shadingX;
+        shadingY = -shadingY;
+        shadingZ = -shadingZ;
+    }
+
     public void setMap(double mapU, double mapV) {
         u = mapU;
         v = mapV;

@@ -5,6 +5,18 @@ import org.diacaustic.math.Ray;
 
 /** The geometry of single triangles of a mesh: points, normals, map coordinates, and which way they face. */
 final class MeshSurface {
+    /** Weights below which it is asked whether the point is too near to an edge. */
+    private static final double EDGE = 0x1p-20;
+
+    /** How many errors of the point it is kept off edges. */
+    private static final double OFF_EDGES = 16;
+
+    /** Rays flatter than this to a triangle do not move their points farther off its edges. */
+    private static final double FLATTEST = 0x1p-24;
+
+    /** The largest weight that this may take. */
+    private static final double MOST_OFF = 0.125;
+
     private final double[] vertices;
     private final int[] triangles;
     private final double[] maps;
@@ -57,52 +69,22 @@ final class MeshSurface {
         return Arithmetic.powerOfTwoNear(Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z))));
     }
 
-    /** Positive if the ray runs with the normal of the triangle, negative if against it. */
-    double facing(Ray ray, int triangle) {
-        int a = corner(triangle, 0);
-        int b = corner(triangle, 1);
-        int c = corner(triangle, 2);
-        double ux = vertices[b] - vertices[a];
-        double uy = vertices[b + 1] - vertices[a + 1];
-        double uz = vertices[b + 2] - vertices[a + 2];
-        double vx = vertices[c] - vertices[a];
-        double vy = vertices[c + 1] - vertices[a + 1];
-        double vz = vertices[c + 2] - vertices[a + 2];
-        return Math.signum(ray.directionX * Arithmetic.differenceOfProducts(uy, vz, uz, vy)
-                + ray.directionY * Arithmetic.differenceOfProducts(uz, vx, ux, vz)
-                + ray.directionZ * Arithmetic.differenceOfProducts(ux, vy, uy, vx));
-    }
-
-    /** How many corners of a triangle lie where another has one: 3 for one that is there twice. */
-    int sharedCorners(int triangle, int other) {
-        int shared = 0;
-        for (int i = 0; i < 3; i++) {
-            if (isCorner(corner(triangle, i), other)) {
-                shared++;
-            }
-        }
-        return shared;
-    }
-
-    private boolean isCorner(int a, int triangle) {
-        for (int j = 0; j < 3; j++) {
-            int b = corner(triangle, j);
-            if (vertices[a] == vertices[b]
-                    && vertices[a + 1] == vertices[b + 1]
-                    && vertices[a + 2] == vertices[b + 2]) {
-                return true;
-            }
-        }
-        return false;
-    }
-
     /** Completes a hit whose notes are the weights of the second and the third corner. */
     void complete(Ray ray, Hit hit) {
         int a = corner(hit.primitive, 0);
         int b = corner(hit.primitive, 1);
         int c = corner(hit.primitive, 2);
-        double u = hit.noteU;
-        double v = hit.noteV;
+        setNormal(hit.primitive, hit);
+        setPoint(a, b, c, hit.noteU, hit.noteV, hit);
+        if (hit.noteU < EDGE || hit.noteV < EDGE || 1 - hit.noteU - hit.noteV < EDGE) {
+            keepOffEdges(a, b, c, ray, hit);
+        }
+        if (vertexNormals != null) {
+            setShadingNormal(a, b, c, hit);
+        }
+    }
+
+    private void setPoint(int a, int b, int c, double u, double v, Hit hit) {
         double errorX = error(vertices[a], vertices[b], vertices[c], u, v);
         double errorY = error(vertices[a + 1], vertices[b + 1], vertices[c + 1], u, v);
         double errorZ = error(vertices[a + 2], vertices[b + 2], vertices[c + 2], u, v);
@@ -111,10 +93,46 @@ final class MeshSurface {
                 between(vertices[a + 1], vertices[b + 1], vertices[c + 1], u, v),
                 between(vertices[a + 2], vertices[b + 2], vertices[c + 2], u, v),
                 Arithmetic.length(errorX, errorY, errorZ));
-        setNormal(hit.primitive, hit);
-        if (vertexNormals != null) {
-            setShadingNormal(a, b, c, hit);
-        }
+    }
+
+    /**
+     * Moves a point that rounding may have put beyond an edge of its triangle off that edge, seen along the ray by more than
+     * rounding: so a ray that leaves it passes the edge on the side on which it met the triangle, and meets of the triangles
+     * around what such a ray meets.
+     */
+    private void keepOffEdges(int a, int b, int c, Ray ray, Hit hit) {
+        double ab = distance(a, b);
+        double bc = distance(b, c);
+        double ca = distance(c, a);
+        double along = ray.directionX * hit.normalX + ray.directionY * hit.normalY + ray.directionZ * hit.normalZ;
+        double cosine = Math.abs(along) / Arithmetic.length(ray.directionX, ray.directionY, ray.directionZ);
+        double off = OFF_EDGES * hit.pointError / (Math.max(cosine, FLATTEST) * doubleArea(a, b, c));
+        double leastU = Math.min(off * ca, MOST_OFF);
+        double leastV = Math.min(off * ab, MOST_OFF);
+        double leastW = Math.min(off * bc, MOST_OFF);
+        double u = Math.max(hit.noteU, leastU);
+        double v = Math.max(hit.noteV, leastV);
+        double w = Math.max(1 - hit.noteU - hit.noteV, leastW);
+        double sum = u + v + w;
+        setPoint(a, b, c, u / sum, v / sum, hit);
+    }
+
+    private double distance(int a, int b) {
+        return Arithmetic.length(
+                vertices[b] - vertices[a], vertices[b + 1] - vertices[a + 1], vertices[b + 2] - vertices[a + 2]);
+    }
+
+    private double doubleArea(int a, int b, int c) {
+        double ux = vertices[b] - vertices[a];
+        double uy = vertices[b + 1] - vertices[a + 1];
+        double uz = vertices[b + 2] - vertices[a + 2];
+        double vx = vertices[c] - vertices[a];
+        double vy = vertices[c + 1] - vertices[a + 1];
+        double vz = vertices[c + 2] - vertices[a + 2];
+        return Arithmetic.length(
+                Arithmetic.differenceOfProducts(uy, vz, uz, vy),
+                Arithmetic.differenceOfProducts(uz, vx, ux, vz),
+                Arithmetic.differenceOfProducts(ux, vy, uy, vx));
     }
 
     /**

@@ -48,7 +48,7 @@ public final class Sphere implements Shape {
         double dx = ray.directionX;
         double dy = ray.directionY;
         double dz = ray.directionZ;
-        double departure = ray.departureError == 0 ? 0 : ray.departureError * Arithmetic.length(dx, dy, dz);
+        double departure = ray.leaving == Ray.FREE ? 0 : ray.departureError * Arithmetic.length(dx, dy, dz);
         return SphereRoots.intersect(
                 ray,
                 ray.originX - centreX,
@@ -66,7 +66,7 @@ public final class Sphere implements Shape {
         double fx = Math.fma(hit.t, ray.directionX, ray.originX - centreX);
         double fy = Math.fma(hit.t, ray.directionY, ray.originY - centreY);
         double fz = Math.fma(hit.t, ray.directionZ, ray.originZ - centreZ);
-        double length = Math.sqrt(fx * fx + fy * fy + fz * fz);
+        double length = Arithmetic.length(fx, fy, fz);
         double largest = Math.max(Math.abs(centreX), Math.max(Math.abs(centreY), Math.abs(centreZ)));
         hit.setPoint(
                 Math.fma(radius, fx / length, centreX),
@@ -77,7 +77,7 @@ public final class Sphere implements Shape {
         double nx = hit.x - centreX;
         double ny = hit.y - centreY;
         double nz = hit.z - centreZ;
-        double normalLength = Math.sqrt(nx * nx + ny * ny + nz * nz);
+        double normalLength = Arithmetic.length(nx, ny, nz);
         hit.setNormal(nx / normalLength, ny / normalLength, nz / normalLength);
     }
 

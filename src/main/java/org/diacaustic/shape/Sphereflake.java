@@ -68,6 +68,13 @@ public final class Sphereflake implements Shape {
         return flake.count();
     }
 
+    /** One of the spheres: 0 is the root, the children of i are those from i · children + 1 on. */
+    public Sphere sphere(int number) {
+        double[] spheres = flake.spheres();
+        int i = 4 * number;
+        return new Sphere(new Vector3(spheres[i], spheres[i + 1], spheres[i + 2]), spheres[i + 3]);
+    }
+
     @Override
     public boolean intersect(Ray ray) {
         return walk(ray, false);

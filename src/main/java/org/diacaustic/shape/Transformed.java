@@ -108,6 +108,7 @@ public final class Transformed implements Shape {
         local.tests = 0;
         if (ray.leaving != Ray.FREE) {
             local.leaving = ray.leaving;
+            local.departureOffset = ray.departureOffset;
             local.departureError = departureError(ray, local);
         }
         return local;

@@ -12,7 +12,14 @@ import org.diacaustic.math.Ray;
  * [Woop, Benthin and Wald 2013]. Triangles without area are never hit.
  */
 public final class TriangleMesh implements Shape {
+    /** How many errors of its start a ray may need to get off a triangle that it leaves, before nobody asks. */
+    private static final double FLATTEST_DEPARTURE = 0x1p24;
+
+    /** Two hits whose distances differ by no more than this part may be one behind the other, or the other way round. */
+    private static final double ALIKE = 0x1p-30;
+
     private final MeshSurface surface;
+    private final MeshOrder order;
     private final BoxHierarchy hierarchy;
 
     /** The corners of all triangles in the order of the hierarchy, nine numbers each. */
@@ -58,6 +65,7 @@ public final class TriangleMesh implements Shape {
         this.surface = !smooth
                 ? facets
                 : new MeshSurface(data, data.normals() != null ? data.normals() : topology.vertexNormals(facets));
+        this.order = new MeshOrder(data);
         this.pieces = topology.pieces(surface);
     }
 
@@ -108,10 +116,7 @@ public final class TriangleMesh implements Shape {
 
     private boolean walk(Ray ray, boolean anyHit) {
         // The axis along which the ray runs most becomes z of a frame in which it starts at 0 and runs along z alone.
-        double sizeX = Math.abs(ray.directionX);
-        double sizeY = Math.abs(ray.directionY);
-        double sizeZ = Math.abs(ray.directionZ);
-        int kz = sizeX > sizeY ? (sizeX > sizeZ ? 0 : 2) : sizeY > sizeZ ? 1 : 2;
+        int kz = longestAxis(ray);
         int kx = kz == 2 ? 0 : kz + 1;
         int ky = kx == 2 ? 0 : kx + 1;
         double originX = axis(kx, ray.originX, ray.originY, ray.originZ);
@@ -152,7 +157,7 @@ public final class TriangleMesh implements Shape {
                     continue;
                 }
                 double t = (wa * az + wb * bz + wc * cz) / (sum * directionZ);
-                if (accept(ray, triangleAt[position], t, wb / sum, wc / sum)) {
+                if (accept(ray, triangleAt[position], t, wb / sum, wc / sum, found)) {
                     found = true;
                     if (anyHit) {
                         hierarchy.leave(ray, base);
@@ -164,46 +169,41 @@ public final class TriangleMesh implements Shape {
         return found;
     }
 
+    /** The axis along which the ray runs most. */
+    static int longestAxis(Ray ray) {
+        double sizeX = Math.abs(ray.directionX);
+        double sizeY = Math.abs(ray.directionY);
+        double sizeZ = Math.abs(ray.directionZ);
+        return sizeX > sizeY ? (sizeX > sizeZ ? 0 : 2) : sizeY > sizeZ ? 1 : 2;
+    }
+
     private static double axis(int axis, double x, double y, double z) {
         return axis == 0 ? x : axis == 1 ? y : z;
     }
 
-    private boolean accept(Ray ray, int triangle, double t, double u, double v) {
+    /** @param found whether the ray's nearest hit so far is one of this mesh */
+    private boolean accept(Ray ray, int triangle, double t, double u, double v, boolean found) {
         double accepted = t;
         if (ray.leaving != Ray.FREE) {
             if (triangle == ray.leaving) {
                 return false;
             }
-            if (Math.abs(t) <= ray.departureError) {
-                accepted = atDeparture(ray, triangle, t);
+            if (Math.abs(t) <= FLATTEST_DEPARTURE * ray.departureError) {
+                accepted = order.afterLeaving(ray, triangle, t);
             }
         }
-        if (!(accepted > 0 && accepted < ray.tMax)) {
+        boolean nearer = accepted < ray.tMax;
+        if (found && Math.abs(accepted - ray.tMax) <= ALIKE * ray.tMax) {
+            nearer = order.isBefore(ray, triangle, ray.hitPrimitive, accepted);
+            accepted = Math.min(accepted, ray.tMax);
+        }
+        if (!(nearer && accepted > 0)) {
             return false;
         }
         ray.hit(accepted, triangle);
         ray.hitU = u;
         ray.hitV = v;
         return true;
-    }
-
-    /**
-     * Where a ray that leaves one triangle meets another so near that rounding decides. It has just gone through the
-     * surface one way, or turned away from it, so the next time it meets the surface it meets the side it came out on:
-     * what it seems to meet from the other side is the edge it starts beside, or the same triangle in the file once more,
-     * turned round. A neighbour it goes towards is met, though
-     * rounding may have set the start beyond it.
-     */
-    private double atDeparture(Ray ray, int triangle, double t) {
-        boolean sameSense = surface.facing(ray, triangle) * surface.facing(ray, ray.leaving) > 0;
-        if (sameSense) {
-            return Double.NaN;
-        }
-        int shared = surface.sharedCorners(triangle, ray.leaving);
-        if (shared == 3) {
-            return Double.NaN;
-        }
-        return t > 0 || shared == 0 ? t : Double.MIN_VALUE;
     }
 
     @Override

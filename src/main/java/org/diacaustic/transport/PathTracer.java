@@ -111,8 +111,8 @@ public abstract class PathTracer {
      */
     protected void passes(int object) {}
 
-    /** Fractions of the throughput, per colour, that remain when a medium has absorbed the rest on the way. */
-    protected void absorbed(double red, double green, double blue) {}
+    /** A medium is going to take its part of the {@link #throughput} over a length of the path, in scene units. */
+    protected void absorbs(Medium medium, double length) {}
 
     /**
      * Is asked about every continuation that could be followed: whether it is. May change what it carries.
@@ -158,11 +158,11 @@ public abstract class PathTracer {
     /** Takes what a medium absorbs on the way that the ray has come. */
     private void absorb(Medium medium, double length) {
         if (medium.absorbs()) {
-            double red = Medium.transmittance(medium.absorption().red(), length);
-            double green = Medium.transmittance(medium.absorption().green(), length);
-            double blue = Medium.transmittance(medium.absorption().blue(), length);
-            absorbed(red, green, blue);
-            throughput.multiply(red, green, blue);
+            absorbs(medium, length);
+            throughput.multiply(
+                    Medium.transmittance(medium.absorption().red(), length),
+                    Medium.transmittance(medium.absorption().green(), length),
+                    Medium.transmittance(medium.absorption().blue(), length));
         }
     }
 
@@ -170,7 +170,7 @@ public abstract class PathTracer {
         hit.take(ray);
         scene.object(found).shape().complete(ray, hit);
         int object = leavesFirst(found) ? media.dominantObject() : found;
-        int side = alongNormal(hit) < 0 ? 1 : -1;
+        int side = side(object);
         if (scene.isOpaque(object)) {
             absorb(media.current(), length);
             scatter(object, side, 1, 1);
@@ -243,6 +243,12 @@ public abstract class PathTracer {
         hit = touching;
         touching = outer;
         return true;
+    }
+
+    /** The side that the ray arrives on; if it runs along the surface, it comes from where it is. */
+    private int side(int object) {
+        double along = alongNormal(hit);
+        return along < 0 || (along == 0 && media.canCross(object, true)) ? 1 : -1;
     }
 
     private double alongNormal(Hit at) {

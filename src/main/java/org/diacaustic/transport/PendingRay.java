@@ -88,5 +88,6 @@ final class PendingRay {
     void copyTo(Ray ray) {
         ray.set(originX, originY, originZ, directionX, directionY, directionZ);
         ray.departureError = departureError;
+        ray.departureOffset = back;
     }
 }

@@ -164,7 +164,7 @@ class ExrCodecTest {
     /** 2³¹ pixels wide, and beyond: nothing is allocated for what the header claims. */
     @Test
     void read_givenHugeWindow_refuses() {
-        assertRefused("sides of at most", start(2, 0, new int[] {-2147483648, 0, 2147483647, 0}, "B2", "G2", "R2"));
+        assertRefused("bytes of memory", start(2, 0, new int[] {-2147483648, 0, 2147483647, 0}, "B2", "G2", "R2"));
         assertRefused("bytes of memory", start(2, 3, new int[] {0, 0, 49_999, 49_999}, "B2", "G2", "R2"));
     }
 }

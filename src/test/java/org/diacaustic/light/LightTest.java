@@ -274,4 +274,56 @@ class LightTest {
     private static FlatLight disc(double radius, Color radiance, Falloff falloff) {
         return FlatLight.disc(Vector3.ZERO, Vector3.UNIT_Y, radius, radiance, falloff, 1);
     }
+
+    @ParameterizedTest
+    @CsvSource({
+        // 4π·sin² of half the angle: of a millionth of a degree, a cosine tells nothing.
+        "1e-6, 1e-6, 9.569838481574017e-16",
+        "30, 30, 0.841787214476932925",
+        "180, 180, 12.566370614359172954",
+        // π·((1 − cos 0°) + (1 − cos 60°)): the step stands for half of what it fills.
+        "0, 60, 1.5707963267948966",
+    })
+    void flux_givenSpot_isThatOfItsCone(double inner, double outer, double flux) {
+        SpotLight spot = spot(Vector3.ZERO, inner, outer);
+        assertThat(spot.flux().green()).isCloseTo(flux, within(4e-16 * flux));
+    }
+
+    @Test
+    void flux_givenSoftSpot_isTheIntegralOfItsEmission() {
+        SpotLight spot = spot(Vector3.ZERO, 20, 75);
+        Rgb out = new Rgb();
+        double sum = 0;
+        int steps = 200_000;
+        for (int i = 0; i < steps; i++) {
+            double down = 1 - 2 * (i + 0.5) / steps;
+            spot.emit(new LightPoint(), Math.sqrt(1 - down * down), -down, 0, out);
+            sum += out.green * 4 * Math.PI / steps;
+        }
+        assertThat(sum).isCloseTo(spot.flux().green(), within(1e-9));
+    }
+
+    @Test
+    void flux_givenOtherLights_isThatOfTheirArea() {
+        // π·L·A of what radiates as Lambert says; 4π·I of a point.
+        assertThat(disc(2, Color.WHITE, SQUARE).flux().green()).isCloseTo(Math.PI * Math.PI * 4, within(1e-14));
+        assertThat(new SphereLight(Vector3.ZERO, 3, Color.WHITE, SQUARE, 1)
+                        .flux()
+                        .red())
+                .isCloseTo(4 * Math.PI * Math.PI * 9, within(1e-12));
+        assertThat(new PointLight(Vector3.ZERO, Color.grey(2)).flux().blue()).isEqualTo(8 * Math.PI);
+        DirectionalLight sun = new DirectionalLight(DOWN, Color.WHITE, 0);
+        org.assertj.core.api.Assertions.assertThatThrownBy(sun::flux).isInstanceOf(UnsupportedOperationException.class);
+    }
+
+    @Test
+    void emit_givenNarrowestSpot_shinesToItsEdgeAndNoFarther() {
+        SpotLight spot = spot(Vector3.ZERO, 1e-6, 1e-6);
+        double edge = Math.toRadians(1e-6);
+        Rgb out = new Rgb();
+        spot.emit(new LightPoint(), edge * (1 - 1e-9), -1, 0, out);
+        assertThat(out.green).isEqualTo(1);
+        spot.emit(new LightPoint(), edge * (1 + 1e-9), -1, 0, out);
+        assertThat(out.green).isZero();
+    }
 }

@@ -9,7 +9,10 @@ import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import org.diacaustic.math.Rgb;
 import org.diacaustic.math.Vector3;
+import org.diacaustic.parallel.Workers;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class CellStoreTest {
     private final SurfacePoint a = new SurfacePoint();
@@ -53,6 +56,28 @@ class CellStoreTest {
             assertThat(numbers).containsExactly(0.5f, 0, 0, 0, 0, -0.25f, i, 2f * i, 0);
             assertThat(chunk.tags[2 * place + 1]).isEqualTo(2 * (i % 7) + (i % 2 == 0 ? 1 : 0));
         }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {-900, -150, 0, 150, 900})
+    void addTriangle_givenAnyScale_keepsItsSize(int exponent) {
+        double scale = Math.scalb(1.0, exponent);
+        CellStore store = new CellStore(Vector3.ZERO, scale, 1, 10);
+        CellSlice slice = store.slice();
+        slice.addTriangle(
+                TestCells.floor(0.5 * scale, 0),
+                TestCells.floor(0.75 * scale, 0),
+                TestCells.floor(0.5 * scale, 0.125 * scale),
+                new Rgb().set(1, 1, 1));
+        store.append(slice);
+        Cell cell = new Cell();
+        store.read(0, cell);
+        assertThat(cell.vertices).containsExactly(0.5 * scale, 0, 0, 0.75 * scale, 0, 0, 0.5 * scale, 0.125 * scale, 0);
+        CausticMesh mesh = CausticMesh.movedFrom(store, new Workers(1));
+        // 1 W on an area of scale²/64.
+        double irradiance = TestCells.density(mesh, TestCells.floor(0.55 * scale, 0.05 * scale));
+        assertThat(exponent == 0 ? irradiance : 64).isEqualTo(64);
+        assertThat(Math.abs(exponent) < 500 ? irradiance * scale * scale : 64).isEqualTo(64);
     }
 
     @Test

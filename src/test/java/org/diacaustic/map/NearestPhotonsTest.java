@@ -42,17 +42,16 @@ class NearestPhotonsTest {
 
         assertThat(enough).isEqualTo(found == count);
         assertThat(nearest.found()).isEqualTo(found);
-        double squaredUnit = tree.lengthUnit() * tree.lengthUnit();
         double total = 0;
         double farthest = 0;
         for (int i = 0; i < found; i++) {
-            total += nearest.distanceSquared(i) * squaredUnit;
-            farthest = Math.max(farthest, nearest.distanceSquared(i) * squaredUnit);
+            total += nearest.distanceSquared(i);
+            farthest = Math.max(farthest, nearest.distanceSquared(i));
         }
         assertThat(farthest).isCloseTo(last, withinPercentage(2e-5));
         assertThat(total).isCloseTo(sum, withinPercentage(2e-5));
         if (enough) {
-            assertThat(nearest.distanceSquared(count - 1) * squaredUnit).isEqualTo(farthest);
+            assertThat(nearest.distanceSquared(count - 1)).isEqualTo(farthest);
         }
     }
 

@@ -49,11 +49,21 @@ class PhotonMapTest {
         }
     }
 
+    @ParameterizedTest
+    @EnumSource(Kernel.class)
+    void irradiance_givenAPointBeyondAllSquares_isZero(Kernel kernel) {
+        PhotonTree tree = new TestPhotons().floor(random, 1000, 1, true).tree();
+        PhotonMap map = PhotonMap.over(tree, new Estimator.Nearest(50, INFINITE, kernel), NORMAL);
+        for (double far : new double[] {1e18, 1e20, 1e38, 1e300}) {
+            assertThat(red(map, floorPoint(far, 0, true))).isBetween(0.0, 1e-30);
+        }
+    }
+
     @Test
     void irradiance_givenOnePhoton_isItsPowerOverTheDisc() {
-        // Kernels at half the radius: 1, 3(1 − 1/2), 2(1 − 1/4).
+        // Kernels at half the radius: 1, 3(1 − 1/2), 2(1 − 1/4), 1.7283(1 − (1 − exp(−1.953/8))/(1 − exp(−1.953))).
         double area = Math.PI * 0.25;
-        double[] weights = {1, 1.5, 1.5};
+        double[] weights = {1, 1.5, 1.5, 1.292058449493454};
         for (Kernel kernel : Kernel.values()) {
             PhotonTree tree =
                     new TestPhotons().add(floorPoint(0.25, 0, true), 8).tree();

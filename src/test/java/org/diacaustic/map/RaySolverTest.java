@@ -29,7 +29,7 @@ class RaySolverTest {
 
     /** Light of the cells, 3 W each: half of a unit square of light space. */
     private double irradiance(Formula light, double x, double y, CellSeed... cells) {
-        CellStore store = CellStore.keepingSeeds(Vector3.ZERO, 1, 100);
+        CellStore store = CellStore.keepingSeeds(Vector3.ZERO, 1, 1, 100);
         CellSlice slice = store.slice();
         for (CellSeed cell : cells) {
             slice.addTriangle(
@@ -92,6 +92,29 @@ class RaySolverTest {
         Formula bent = new Formula((p, q) -> p + p * p / 4, (p, q) -> q);
         assertThat(irradiance(bent, 0.44, 0.3, unknown)).isCloseTo(4.8, within(1e-6));
         assertThat(irradiance(bent, 1.2, 1.2, seed(0, 0, 1, 0, 0, 1))).isZero();
+    }
+
+    @Test
+    void irradiance_givenLightThatSpreadsFast_isThatOfTheRay() {
+        // x = p ÷ (1.001 − p): at p = 0.5, x = 1 / 1.002 and dx/dp = 1.001 / 0.501². The triangle reaches to 1000.
+        Formula far = new Formula((p, q) -> p / (1.001 - p), (p, q) -> q);
+        double expected = 6 * 0.501 * 0.501 / 1.001;
+        assertThat(irradiance(far, 0.5 / 0.501, 0.3, seed(0, 0, 1, 0, 0, 1))).isCloseTo(expected, within(1e-11));
+    }
+
+    @Test
+    void irradiance_givenAPointBetweenTheTrianglesOfLargeAndSmallCells_isThatOfTheRay() {
+        // The edge q = 0 lands on y = −p·(1 − p)/10, in between the triangle above, which ends at y = 0, and the two
+        // below.
+        Formula bent = new Formula((p, q) -> p, (p, q) -> q - 0.1 * p * (1 - p));
+        CellSeed large = seed(0, 0, 1, 0, 0, 1);
+        CellSeed left = seed(0, 0, 0, -0.5, 0.5, 0);
+        CellSeed right = seed(0.5, 0, 0.5, -0.5, 1, 0);
+        // At x = 0.25 the edge is at −0.01875, and that of the small triangle at −0.0125.
+        assertThat(irradiance(bent, 0.25, -0.005, large, left, right)).isCloseTo(6, within(1e-10));
+        assertThat(irradiance(bent, 0.25, -0.015, large, left, right)).isCloseTo(6, within(1e-10));
+        assertThat(irradiance(bent, 0.25, -0.03, large, left, right)).isCloseTo(6, within(1e-10));
+        assertThat(irradiance(bent, 0.25, -0.005, left, right)).isZero();
     }
 
     @Test

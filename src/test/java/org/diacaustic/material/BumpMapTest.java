@@ -42,6 +42,18 @@ class BumpMapTest {
     }
 
     @Test
+    void tilt_givenNoSlope_changesNoBit() {
+        // A wave without height, on a normal whose length is not 1 to the last bit.
+        Vector3 normal = new Vector3(0.1, 1, 0.3).normalized();
+        Hit hit = new Hit();
+        hit.setNormal(normal.x(), normal.y(), normal.z());
+        Material.builder().bump(new Wave(Vector3.UNIT_X, 1, 0, 0)).build().evaluate(hit, new Surface());
+        assertThat(hit.shadingX).isEqualTo(normal.x());
+        assertThat(hit.shadingY).isEqualTo(normal.y());
+        assertThat(hit.shadingZ).isEqualTo(normal.z());
+    }
+
+    @Test
     void addGradient_givenWaves_isTheSlopeOfTheirHeight() {
         Vector3 direction = new Vector3(1, 0.5, -2).normalized();
         assertSlope(new Wave(direction, 3, 0.2, 0.7), p -> 0.2 * StrictMath.sin(3 * p.dot(direction) + 0.7));

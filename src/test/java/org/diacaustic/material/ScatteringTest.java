@@ -277,6 +277,29 @@ class ScatteringTest {
         assertThat(x).isCloseTo(2.439157588755424753, within(2.4e-11));
     }
 
+    @Test
+    void evaluate_givenTheRefractedRayBackwards_comesBackTheWayItCame() {
+        mode = TransportMode.FLUX;
+        SampleStream random = new SampleStream();
+        random.start(6, 0, 0);
+        for (int i = 0; i < 20_000; i++) {
+            Vector3 incident = direction(random);
+            int side = incident.y() < 0 ? 1 : -1;
+            double far = 0.4 + 2.6 * random.nextDouble();
+            arrive(incident, UP, UP, side, 1, far);
+            if (scattering.totalInternalReflection) {
+                continue;
+            }
+            double fraction = scattering.transmittance.green;
+            Vector3 there = transmitted();
+            arrive(there.negated(), UP, UP, -side, far, 1);
+            // Flat to the surface a small change of the one angle is a large one of the other.
+            double magnified = 1 / Math.min(Math.abs(incident.y()), Math.abs(there.y()));
+            assertClose(transmitted(), incident.negated(), 16 * Math.ulp(1.0) * magnified);
+            assertThat(scattering.transmittance.green).isCloseTo(fraction, within(1e-14 * magnified));
+        }
+    }
+
     private void arrive(Vector3 incident, Vector3 normal, Vector3 shading, int side, double nNear, double nFar) {
         Ray ray = new Ray();
         ray.set(Vector3.ZERO, incident);

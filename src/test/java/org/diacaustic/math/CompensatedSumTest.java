@@ -40,4 +40,22 @@ class CompensatedSumTest {
         sum.add(Double.NEGATIVE_INFINITY);
         assertThat(sum.value()).isNaN();
     }
+
+    /** Half a unit in the last place and a little more is rounded up, however little that is. */
+    @Test
+    void value_givenALittleMoreThanHalfAUnit_isRoundedUp() {
+        for (double value : new double[] {0x1p-565, 0x1p-618, 0x1p-700}) {
+            sum.add(value);
+        }
+        assertThat(sum.value()).isEqualTo(Math.nextUp(0x1p-565));
+    }
+
+    @Test
+    void value_givenSumsOfManySizesThatCancel_isExact() {
+        // What is left is 60 and 120 digits below what was there.
+        for (double value : new double[] {1e60, 1, 1e-60, -1e60, -1}) {
+            sum.add(value);
+        }
+        assertThat(sum.value()).isEqualTo(1e-60);
+    }
 }

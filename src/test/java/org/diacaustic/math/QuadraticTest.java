@@ -55,4 +55,14 @@ class QuadraticTest {
         assertThat(Quadratic.solve(0, 0, 0, roots)).isZero();
         assertThat(Quadratic.solve(1, Double.NaN, 0, roots)).isZero();
     }
+
+    @Test
+    void solve_givenCoefficientsOfAnySize_neitherLosesNorInventsRoots() {
+        // (x − 2)(x + 3) times anything; the products of the coefficients leave the range of doubles.
+        for (double scale : new double[] {0x1p-1000, 0x1p-600, 0x1p600, 0x1p1000}) {
+            assertThat(Quadratic.solve(scale, scale, -6 * scale, roots)).isEqualTo(2);
+            assertThat(roots).containsExactly(-3, 2);
+            assertThat(Quadratic.solve(scale, 0, scale, roots)).isZero();
+        }
+    }
 }

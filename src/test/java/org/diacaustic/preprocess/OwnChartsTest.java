@@ -228,4 +228,21 @@ class OwnChartsTest {
             assertThat(Math.asin(Math.min(1, sine))).isCloseTo(i * Math.PI / 20, within(1e-4));
         }
     }
+
+    /** The solid angle of a ball at a distance of d radii is 2π(1 − √(1 − 1/d²)), wherever the light is; too far away it has no chart. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1.01, 10, 1e4, 1e8, 1e11})
+    void ball_givenAnyDistance_hasAllOfItsSolidAngle(double distance) {
+        double sine = 1 / distance;
+        double versine = sine * sine / (1 + Math.sqrt((1 - sine) * (1 + sine)));
+        EmissionChart chart = chart(new Vector3(0, distance, 0), new Sphere(Vector3.ZERO, 1));
+        assertThat(total(chart)).isCloseTo(2 * Math.PI * versine, within(1e-4 * 2 * Math.PI * versine));
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1e13, 1e15, 1e20})
+    void ball_givenALampSoFarThatRoundingMatters_hasNoChart(double distance) {
+        Light lamp = new PointLight(new Vector3(0, distance, 0), Color.WHITE);
+        assertThat(chart(lamp, new Sphere(Vector3.ZERO, 1))).isEmpty();
+    }
 }

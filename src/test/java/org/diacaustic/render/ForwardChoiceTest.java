@@ -93,6 +93,17 @@ class ForwardChoiceTest {
         assertThat(RenderPlan.of(lit(clear(1)), PHYSICAL).shader().name()).isEqualTo("non-refractive");
     }
 
+    /** A pixel is 0.03 wide here, so a step of 0.03 ÷ 100 ÷ 640 = 4.7e-7 is the largest that cannot be seen. */
+    @Test
+    void plan_givenClearObjectsThatBendByLessThanIsSeen_takesStraightShadowRays() {
+        assertLeftOut(lit(clear(1 + 1e-9)), PHYSICAL, "less than a hundredth of a pixel");
+        assertThat(RenderPlan.of(lit(clear(1 + 1e-9)), forward(s -> s.preProcessor("own-map")))
+                        .forward())
+                .isPresent();
+        assertThat(RenderPlan.of(lit(clear(1 + 1e-6)), PHYSICAL).forward()).isPresent();
+        assertThat(RenderPlan.of(lit(clear(1 + 1e-9)), PHYSICAL).isStraight()).isFalse();
+    }
+
     @Test
     void plan_givenNothingDiffuse_leavesTheForwardPassOut() {
         Scene scene = Scene.builder()

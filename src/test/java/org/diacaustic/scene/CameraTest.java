@@ -148,4 +148,24 @@ class CameraTest {
         assertThat(other.directionX).isCloseTo(ray.directionX, within(1e-15));
         assertThat(other.directionY).isCloseTo(ray.directionY, within(1e-15));
     }
+
+    @Test
+    void aim_givenAWidestView_keepsItsDigits() {
+        // tan((180° − 1e-10°)/2) = 1/tan(0.5e-10°) of half a pixel of two, to the right.
+        Camera camera = Camera.builder().fieldOfView(180 - 0x1p-33).size(2, 2).build();
+        camera.aim(1.5, 1, 0, 0, ray);
+        double half = 1 / Math.tan(Math.toRadians(0x1p-34));
+        assertThat(-ray.directionX / ray.directionZ).isCloseTo(0.5 * half, within(4e-16 * half));
+    }
+
+    @Test
+    void aim_givenFocusAtInfinity_sendsParallelRays() {
+        Camera camera =
+                Camera.builder().size(4, 4).lens(0.25, Double.POSITIVE_INFINITY).build();
+        camera.aim(1, 3, 1, 0.3, ray);
+        Vector3 fromRim = new Vector3(ray.directionX, ray.directionY, ray.directionZ);
+        assertThat(new Vector3(ray.originX, ray.originY, ray.originZ).length()).isCloseTo(0.25, within(1e-16));
+        camera.aim(1, 3, 0, 0, ray);
+        assertThat(fromRim).isEqualTo(new Vector3(ray.directionX, ray.directionY, ray.directionZ));
+    }
 }

@@ -46,11 +46,12 @@ class SceneSchemaTest {
     static void readSchema() throws IOException {
         schema = new SceneSchema(SCENES.resolve("scene.schema.json"));
         ImageFiles.write(new LinearImage(2, 2), Exposure.fixed(1), folder.resolve("picture.png"));
-        Files.writeString(folder.resolve("mesh.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        Files.writeString(
+                folder.resolve("mesh.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
     }
 
     static Stream<Path> bundledScenes() throws IOException {
-        return Files.list(SCENES).filter(path -> path.toString().endsWith(".yaml"));
+        return Files.walk(SCENES).filter(path -> path.toString().endsWith(".yaml"));
     }
 
     @ParameterizedTest

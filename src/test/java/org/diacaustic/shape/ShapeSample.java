@@ -53,7 +53,33 @@ enum ShapeSample {
             Transform.identity().rotate(new Vector3(1, 1, 0.3), 40).translate(at(k, 1e7, -2e7, 3e7)))),
     MOVED_QUADRILATERAL(k -> new Transformed(
             new Transformed(QUADRILATERAL.make.apply(k), Transform.identity().rotate(Vector3.UNIT_X, 30)),
-            Transform.identity().scale(1, 2, 3)));
+            Transform.identity().scale(1, 2, 3))),
+    LENS(k -> new Combination(
+            Combination.Kind.INTERSECTION,
+            new Sphere(at(k, 0.3, -0.2, -0.8), 1.25 * k),
+            new Sphere(at(k, 0.3, -0.2, 0.8), 1.25 * k))),
+    BOWL(k -> new Combination(
+            Combination.Kind.DIFFERENCE,
+            new Combination(
+                    Combination.Kind.DIFFERENCE,
+                    new Sphere(at(k, 0.3, -0.2, 0.1), 1.25 * k),
+                    new Sphere(at(k, 0.3, -0.2, 0.1), k)),
+            new Box(at(k, -2, 0.25, -2), at(k, 2, 2, 2)))),
+    JOINED_BOXES(k -> new Combination(
+            Combination.Kind.UNION,
+            new Box(at(k, -1, 0.25, -0.75), at(k, 0.3, 1, 2)),
+            new Box(at(k, 0.3, 0.25, -0.75), at(k, 0.5, 1, 2)))),
+    MOVED_DUMBBELL(k -> new Transformed(
+            new Combination(
+                    Combination.Kind.UNION,
+                    new Combination(
+                            Combination.Kind.UNION,
+                            new Sphere(at(k, -1, 0, 0), 0.5 * k),
+                            new Transformed(
+                                    new Sphere(Vector3.ZERO, 0.5 * k),
+                                    Transform.identity().translate(at(k, 1, 0, 0)))),
+                    Frustum.cylinder(at(k, -1, 0, 0), at(k, 1, 0, 0), 0.2 * k, true)),
+            Transform.identity().rotate(new Vector3(1, -2, 0.3), 77).translate(at(k, 10, -20, 30))));
 
     private final DoubleFunction<Shape> make;
 
@@ -93,7 +119,13 @@ enum ShapeSample {
     }
 
     boolean isConvex() {
-        return this != OPEN_CYLINDER && this != OPEN_CONE && !isTorus() && this != PARABOLOID && this != HYPERBOLOID;
+        return this != OPEN_CYLINDER
+                && this != OPEN_CONE
+                && !isTorus()
+                && this != PARABOLOID
+                && this != HYPERBOLOID
+                && this != BOWL
+                && this != MOVED_DUMBBELL;
     }
 
     private boolean isTorus() {
@@ -101,6 +133,6 @@ enum ShapeSample {
     }
 
     int mostCrossings() {
-        return isTorus() ? 4 : shape().isClosed() || !isConvex() ? 2 : 1;
+        return isTorus() || this == BOWL ? 4 : this == MOVED_DUMBBELL ? 6 : shape().isClosed() || !isConvex() ? 2 : 1;
     }
 }

@@ -9,6 +9,8 @@ import org.diacaustic.math.Ray;
 import org.diacaustic.math.Transform;
 import org.diacaustic.math.Vector3;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Boxes, frusta and instances. */
 class SolidShapesTest {
@@ -59,6 +61,17 @@ class SolidShapesTest {
                 }
             }
         }
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-3, 1e-16, 1e-300})
+    void intersect_givenABoxThinnerThanRounding_meetsTheFaceThatIsTurnedToTheRay(double thickness) {
+        Box thin = new Box(v(0, -thickness, 0), v(1, 0, 1));
+        assertThat(Line.meet(thin, v(0.5, 1, 0.5), v(0, -1, 0)).primitive).isEqualTo(3);
+        assertThat(Line.meet(thin, v(0.5, -1, 0.5), v(0, 1, 0)).primitive).isEqualTo(2);
+        assertThat(Line.meet(thin, v(0.1, 1, 0.2), v(0.3, -1, 0.2).normalized()).primitive)
+                .isEqualTo(3);
+        assertThat(Line.crossings(thin, v(1.5, 1, 0.5), v(0, -1, 0))).isEmpty();
     }
 
     @Test

@@ -102,4 +102,35 @@ class SphereTest {
         assertThat(innerT).isCloseTo(4, within(4e-15));
         assertThat(innerT - outerT).isCloseTo(0.00004000000000004000355602329, within(4e-15));
     }
+
+    /** A ray that starts a little before the surface it leaves: the chord is shorter by that, at any scale. */
+    @Test
+    void leave_givenAnOffsetAtAnyScale_scalesTheChord() {
+        for (int exponent : new int[] {-900, -600, 0, 600, 900}) {
+            double k = Math.scalb(1.0, exponent);
+            Ray ray = new Ray();
+            ray.set(0, 0, k, 0, 0, -1);
+            ray.leaving = 0;
+            ray.departureError = 0x1p-50 * k;
+            ray.departureOffset = 0x1p-48 * k;
+            assertThat(new Sphere(Vector3.ZERO, k).intersect(ray)).isTrue();
+            assertThat(ray.tMax).isEqualTo((2 - 0x1p-48) * k);
+            assertThat(ray.departureOffset).isEqualTo(0x1p-48 * k);
+        }
+    }
+
+    @Test
+    void intersect_givenSizesWhoseSquaresLeaveTheRange_findsTheSphere() {
+        // From 4 radii in front of it; half of a direction is one unit of t.
+        for (int exponent : new int[] {-900, -600, 600, 900}) {
+            double unit = Math.scalb(1.0, exponent);
+            Ray ray = new Ray();
+            ray.set(0, 0, 5 * unit, 0, 0, -2 * unit);
+            assertThat(new Sphere(Vector3.ZERO, unit).intersect(ray)).isTrue();
+            assertThat(ray.tMax).isEqualTo(2);
+            ray.set(0, 0, 5, 0, 0, -2 * unit);
+            assertThat(new Sphere(Vector3.ZERO, 1).intersect(ray)).isTrue();
+            assertThat(ray.tMax).isEqualTo(2 / unit);
+        }
+    }
 }

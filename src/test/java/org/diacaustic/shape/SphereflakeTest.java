@@ -59,7 +59,7 @@ class SphereflakeTest {
             Vector3 offset = new Vector3(s[4 * i], s[4 * i + 1], s[4 * i + 2])
                     .minus(new Vector3(s[parent], s[parent + 1], s[parent + 2]));
             assertThat(offset.length()).isCloseTo(1.4 * s[parent + 3], within(1e-14));
-            assertThat(s[4 * i + 3]).isEqualTo(0.4 * s[parent + 3]);
+            assertThat(s[4 * i + 3]).isCloseTo(0.4 * s[parent + 3], within(1e-15));
         }
     }
 

@@ -450,4 +450,34 @@ class TriangleMeshTest {
         assertThat(new TriangleMesh(new MeshData(vertices, triangles, null, null), false).isClosed())
                 .isTrue();
     }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void leave_givenRaysThroughEdgesAndCornersOfSpikes_meetsTheTwoSidesByTurns(boolean far) {
+        // Rays through a closed mesh go out and in by turns, and out in the end, however it is folded where they pass.
+        Vector3 centre = far ? FAR : Vector3.ZERO;
+        MeshData data = TestMeshes.icosphere(4, centre, 2, 0.5, 12111);
+        TriangleMesh mesh = new TriangleMesh(data, false);
+        SplittableRandom random = new SplittableRandom(23);
+        Ray ray = new Ray();
+        Hit hit = new Hit();
+        for (int i = 0; i < 150_000; i++) {
+            Vector3 origin = centre.plus(randomDirection(random).times(0.5 * random.nextDouble()));
+            int triangle = random.nextInt(data.triangleCount());
+            Vector3 target = i % 2 == 0
+                    ? TestMeshes.vertex(data, data.triangles()[3 * triangle])
+                    : TestMeshes.edgeMiddle(data, triangle, i / 2 % 3);
+            Vector3 direction = target.minus(origin).normalized();
+            boolean inside = true;
+            ray.set(origin, direction);
+            while (mesh.intersect(ray)) {
+                complete(mesh, ray, hit);
+                double along = direction.x() * hit.normalX + direction.y() * hit.normalY + direction.z() * hit.normalZ;
+                assertThat(along > 0).as("ray %d", i).isEqualTo(inside);
+                inside = !inside;
+                leave(ray, hit, direction);
+            }
+            assertThat(inside).as("ray %d", i).isFalse();
+        }
+    }
 }
