@@ -7,6 +7,7 @@ import java.nio.file.NoSuchFileException;
 import org.diacaustic.image.ImageTooLargeException;
 import org.diacaustic.render.PlanException;
 import org.diacaustic.render.ResourceLimitException;
+import org.diacaustic.stability.CaseFileException;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
@@ -54,7 +55,9 @@ final class Failures {
         if (failure instanceof CommandFailure known) {
             return known.exitCode();
         }
-        if (failure instanceof PlanException || failure instanceof IllegalArgumentException) {
+        if (failure instanceof PlanException
+                || failure instanceof CaseFileException
+                || failure instanceof IllegalArgumentException) {
             return ExitCode.BAD_INPUT;
         }
         if (failure instanceof ResourceLimitException || failure instanceof ImageTooLargeException) {

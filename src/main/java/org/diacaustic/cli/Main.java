@@ -25,7 +25,7 @@ import picocli.CommandLine.HelpCommand;
             "1:internal failure",
             "2:bad input or usage",
             "3:a file cannot be read or written",
-            "4:a resource limit, or a target that was not reached; the picture so far is saved",
+            "4:a resource limit, a target that was not reached (the picture so far is saved), or a case that fails",
             "130, 143:interrupted; the picture so far is saved"
         })
 public final class Main {
@@ -43,6 +43,7 @@ public final class Main {
         commands.put("compare", CompareCommand::new);
         commands.put("reproduce", ReproduceCommand::new);
         commands.put("study", StudyCommand::new);
+        commands.put("stability", StabilityCommand::new);
         commands.put("help", HelpCommand::new);
         return commands;
     }

@@ -92,15 +92,15 @@ final class RenderCommand implements Callable<Integer> {
         }
         Stopwatch watch = new Stopwatch();
         SceneFile scene = options.read();
-        ImageFormat.of(picture)
-                .checkSize(
-                        scene.scene().camera().width(), scene.scene().camera().height());
         watch.lap("parse");
         RenderPlan plan = RenderPlan.of(scene.scene(), scene.settings());
         watch.lap("plan");
         int workers = threads == 0 ? Runtime.getRuntime().availableProcessors() : threads;
         RenderWork work =
                 RenderWork.of(plan, goals.goal(time, scene.scene().camera()), workers, progress.listener(System.err));
+        ImageFormat.of(picture)
+                .checkSize(
+                        scene.scene().camera().width(), scene.scene().camera().height());
         Interruption interruption = Interruption.cancelling(work.cancel());
         try {
             Refined refined = work.run().get();

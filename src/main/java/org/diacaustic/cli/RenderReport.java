@@ -4,9 +4,11 @@ import java.nio.file.Path;
 import java.util.Locale;
 import org.diacaustic.image.Exposure;
 import org.diacaustic.image.ImageFormat;
+import org.diacaustic.preprocess.ForwardPlan;
 import org.diacaustic.render.Refined;
 import org.diacaustic.render.RenderPlan;
 import org.diacaustic.render.Rendering;
+import org.diacaustic.scene.MapName;
 
 /** What a render says of itself: one line about the picture, and one for each thing that is not as it was asked. */
 final class RenderReport {
@@ -28,7 +30,19 @@ final class RenderReport {
                     100.0 * rendering.tilesDone() / rendering.tilesTotal(),
                     line);
         }
+        warnOfRadius(refined.plan(), rendering);
         rendering.nonFiniteReport().ifPresent(warning -> System.err.println("diacaustic: warning: " + warning));
+    }
+
+    private static void warnOfRadius(RenderPlan plan, Rendering rendering) {
+        double asked = plan.settings().maps().gatherRadius();
+        double taken = rendering.forward().gatherRadius();
+        boolean gathers = plan.forward().map(ForwardPlan::map).orElse(MapName.NONE) == MapName.PHOTON_MAP;
+        if (gathers && asked > 0 && taken != asked && rendering.isComplete()) {
+            String radius = taken > 0 ? String.format(Locale.ROOT, "%.3g", taken) : "a part of the scene's extent";
+            System.err.println("diacaustic: warning: most photons have no other within gather-radius " + asked
+                    + "; took " + radius + ", as if none were given");
+        }
     }
 
     private static String line(Refined refined, Exposure exposure, Path target, double seconds) {

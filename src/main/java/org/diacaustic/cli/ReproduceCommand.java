@@ -1,13 +1,11 @@
 package org.diacaustic.cli;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.Locale;
 import java.util.Set;
 import java.util.concurrent.Callable;
-import org.diacaustic.image.WholeFile;
 import org.diacaustic.reproduction.Reproduction;
 import org.diacaustic.reproduction.ReproductionReport;
 import org.diacaustic.reproduction.ThesisScene;
@@ -75,11 +73,7 @@ final class ReproduceCommand implements Callable<Integer> {
         if (threads < 0) {
             throw new ParameterException(spec.commandLine(), "--threads must be at least 0, but is " + threads);
         }
-        if (Files.exists(output) && !Files.isDirectory(output)) {
-            throw new CommandFailure(ExitCode.FILE, output + ": is a file, not a folder");
-        }
-        Files.createDirectories(output);
-        WholeFile.checkWritable(output.resolve("reproduction.html"));
+        OutputFolder.make(output, "reproduction.html");
         Set<ThesisScene> scenes = scene == null ? EnumSet.allOf(ThesisScene.class) : EnumSet.of(scene);
         int seeds = quick ? Reproduction.QUICK_SEEDS : Reproduction.SEEDS;
         int workers = threads == 0 ? Runtime.getRuntime().availableProcessors() : threads;

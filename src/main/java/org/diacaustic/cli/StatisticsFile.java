@@ -63,6 +63,7 @@ final class StatisticsFile {
         json.put("bytesPerCell", bytesPerCell(plan, rendering.forward()));
         json.put("peakHeapBytes", peakHeapBytes());
         json.end();
+        json.put("gatherRadius", rendering.forward().gatherRadius());
         json.put("errorEstimate", rendering.errorEstimate());
         json.put("noiseEstimate", rendering.noiseEstimate());
         json.name("rounds").beginArray();

@@ -1,7 +1,6 @@
 package org.diacaustic.cli;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
@@ -10,7 +9,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
-import org.diacaustic.image.WholeFile;
 import org.diacaustic.page.StudyPage;
 import org.diacaustic.study.Budget;
 import org.diacaustic.study.CellsChart;
@@ -130,12 +128,12 @@ final class StudyCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         if (scenes != null) {
-            requireFolder(scenes);
+            OutputFolder.refuseFile(scenes);
             System.out.println(WaterSheetScene.write(scenes) + ": written, with its mesh beside it");
             return ExitCode.DONE;
         }
         checkOptions();
-        requireFolder(output);
+        OutputFolder.refuseFile(output);
         if (quick) {
             input.proposeSize(QUICK_SIZE);
         }
@@ -154,8 +152,7 @@ final class StudyCommand implements Callable<Integer> {
         }
         SceneSource source = input::readAgain;
         Study.requireComparable(source);
-        Files.createDirectories(output);
-        WholeFile.checkWritable(output.resolve("study.html"));
+        OutputFolder.make(output, "study.html");
         StudyFolder folder = StudyFolder.open(output, identity(request), restart);
         Optional<Reference> kept = folder.reference();
         Optional<Reference> reference = kept.isPresent()
@@ -229,12 +226,6 @@ final class StudyCommand implements Callable<Integer> {
 
     private int workers() {
         return threads == 0 ? Runtime.getRuntime().availableProcessors() : threads;
-    }
-
-    private static void requireFolder(Path folder) {
-        if (Files.exists(folder) && !Files.isDirectory(folder)) {
-            throw new CommandFailure(ExitCode.FILE, folder + ": is a file, not a folder");
-        }
     }
 
     private void checkOptions() throws IOException {

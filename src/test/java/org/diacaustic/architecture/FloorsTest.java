@@ -45,8 +45,11 @@ class FloorsTest {
         NAMES.put("scenefile", Set.of("scene", "image"));
         NAMES.put("study", Set.of("render", "scenefile", "chart", "json"));
         NAMES.put("reproduction", Set.of("render", "scenefile", "chart", "json"));
+        NAMES.put("stability", Set.of("parallel", "json"));
         NAMES.put("page", Set.of("study", "chart"));
-        NAMES.put("cli", Set.of("page", "reproduction", "render", "scenefile", "json"));
+        NAMES.put("trial", Set.of("stability", "render", "scenefile"));
+        NAMES.put("fault", Set.of("stability", "render", "scenefile"));
+        NAMES.put("cli", Set.of("page", "reproduction", "trial", "fault", "render", "scenefile", "json"));
     }
 
     private final JavaClasses classes = new ClassFileImporter()

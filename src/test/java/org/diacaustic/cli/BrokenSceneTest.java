@@ -52,6 +52,19 @@ class BrokenSceneTest {
             fault(RADIUS, "radius: [1]", 2, "11:15: " + sphere + "radius: expected a number above 0, found a list of"),
             fault(RADIUS, "radius: .nan", 2, "11:15: " + sphere + "radius: expected a number above 0, found '.nan'"),
             fault(RADIUS, "radius: 1e400", 2, "11:15: " + sphere + "radius: expected a number above 0, found '1e400'"),
+            fault(RADIUS, "radius: 1e308", 2, "9:7: objects[0].sphere: expected a shape with a size from 1.0E-150 to "),
+            fault(
+                    RADIUS,
+                    "radius: 1e-320",
+                    2,
+                    "9:7: objects[0].sphere: expected a shape with a size from 1.0E-150 to "),
+            fault(
+                    "at: [0, 0, 0]",
+                    "at: [1e200, 0, 0]",
+                    2,
+                    "9:7: objects[0].sphere: expected a shape with a size from 1.0E-150 to "),
+            fault("name: ball", "name: 'ball", 2, "9:13: the quote opened here is not closed"),
+            fault("camera:", "%YAML 3.0\n---\ncamera:", 2, "1:1: is YAML of another version; a scene file is YAML 1.2"),
             fault(RADIUS, "radius: -1", 2, "11:15: " + sphere + "radius: expected a number above 0, found '-1'"),
             fault(RADIUS, "radius: 1\n      radius: 2", 2, "12:7: " + sphere + "radius: the key is there twice"),
             fault(RADIUS, "# none", 2, "9:7: " + sphere + "radius: is missing: expected a number above 0"),
@@ -233,6 +246,12 @@ class BrokenSceneTest {
                         .replace("material: glass", "material: grey"));
         assertThat(Cli.run("check", scene).out())
                 .startsWith(scene + ":1:16: warning: camera.from: the camera stands inside ball, which is opaque\n");
+        SmallScene.in(folder, "from: [0, 2, 6]", "from: [0, -1, 6]");
+        assertThat(Cli.run("check", scene).out())
+                .startsWith(
+                        scene + ":1:16: warning: camera.from: the camera stands on the surface of floor; rounding ");
+        SmallScene.in(folder, "from: [0, 2, 6]", "from: [0, -0.9999999, 6]");
+        assertThat(Cli.run("check", scene).out()).doesNotContain("warning");
         Files.writeString(scene, "camera: {from: [0, 0, 5], to: [0, 0, 0]}\n");
         Cli.Result result = Cli.run("render", scene, "-o", folder.resolve("out.png"));
         assertThat(result.code()).isZero();

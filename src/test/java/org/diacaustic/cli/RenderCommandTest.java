@@ -60,6 +60,7 @@ class RenderCommandTest {
                     --exposure 0        | -D exposure: settings.exposure: expected a number above 0, found '0'
                     --size 3            | diacaustic render: Invalid value for option '--size': expected two whole numbers of at least 1, such as 640x480, found '3'; see diacaustic render --help
                     --size 0x0          | diacaustic render: Invalid value for option '--size': expected two whole numbers of at least 1, such as 640x480, found '0x0'; see diacaustic render --help
+                    --size 9999999999x1 | diacaustic render: Invalid value for option '--size': a side has at most 2147483647 pixels, not 9999999999; see diacaustic render --help
                     --shader raytrace   | diacaustic: unknown shader 'raytrace'; known are auto, non-transparent, non-refractive
                     --map photon-map --shader non-refractive | diacaustic: shader 'non-refractive' lets light through glass straight, and map 'photon-map' brings it again: take shader 'non-transparent', or no map
                     --map ambient-maps  | diacaustic: 'floor' has no end and cannot have an ambient map of its own; use 'map: photon-map' instead
@@ -83,6 +84,24 @@ class RenderCommandTest {
         Cli.Result result = render("--size", "100000x100000");
         assertThat(result.errorLines()).hasSize(1);
         assertThat(result.code()).isEqualTo(4);
+    }
+
+    @Test
+    void render_givenMoreLightRaysThanFit_saysHowManyPhotonsItExpects() {
+        Cli.Result result = render("--rays", "1000000000000", "--map", "photon-map");
+        assertThat(result.errorLines()).hasSize(1);
+        assertThat(result.err()).contains("photons are to be expected, but there is room for ");
+        assertThat(result.code()).isEqualTo(4);
+    }
+
+    /** Modes hold back nobody who may do anything. */
+    @Test
+    void render_givenPictureThatMayNotBeWritten_leavesIt() throws IOException {
+        Files.writeString(picture, "a year's work");
+        assumeThat(picture.toFile().setWritable(false) && !Files.isWritable(picture))
+                .isTrue();
+        assertThat(render()).isEqualTo(failure(picture + ": is there already and may not be written"));
+        assertThat(picture).hasContent("a year's work");
     }
 
     @Test
