@@ -4,6 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.Arrays;
 
 /** Faults of mesh files. */
 final class MeshFaults {
@@ -56,7 +57,7 @@ final class MeshFaults {
         refuses(bench, "m.ply", body(binary, 1, 7), "m\\.ply.*7");
         refuses(bench, "m.ply", body(binary, Float.NaN, 2), "m\\.ply.*NaN");
         byte[] whole = body(binary, 1, 2);
-        refuses(bench, "m.ply", java.util.Arrays.copyOf(whole, whole.length - 5), "m\\.ply");
+        refuses(bench, "m.ply", Arrays.copyOf(whole, whole.length - 5), "m\\.ply");
     }
 
     private static void solids(FaultBench bench) throws IOException, InterruptedException {

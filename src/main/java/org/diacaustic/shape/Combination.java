@@ -2,6 +2,7 @@ package org.diacaustic.shape;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import org.diacaustic.math.Arithmetic;
 import org.diacaustic.math.Bounds;
 import org.diacaustic.math.Ray;
@@ -103,7 +104,7 @@ public final class Combination implements Shape {
      *     combinations are within each other
      */
     public Combination(Kind kind, Shape first, Shape second) {
-        String name = kind.name().toLowerCase(java.util.Locale.ROOT);
+        String name = kind.name().toLowerCase(Locale.ROOT);
         if (!isSolid(first) || !isSolid(second)) {
             throw new IllegalArgumentException(
                     "shapes of a combination must be closed and have an end, but those of a " + name + " are not");

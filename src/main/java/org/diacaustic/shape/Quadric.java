@@ -35,7 +35,7 @@ public final class Quadric implements Shape {
         this.closed = whole.isFinite()
                 && clip.contains(whole.minX(), whole.minY(), whole.minZ())
                 && clip.contains(whole.maxX(), whole.maxY(), whole.maxZ());
-        this.bounds = intersection(whole, clip);
+        this.bounds = whole.intersection(clip);
         this.mapping = new SphericalMapping(
                 bounds.isFinite() ? bounds.centre() : Vector3.ZERO, Vector3.UNIT_Y, Vector3.UNIT_X);
     }
@@ -81,19 +81,6 @@ public final class Quadric implements Shape {
             throw new IllegalArgumentException("the box that clips a quadric must not be empty, but is " + box);
         }
         return new Quadric(q, l, j, box);
-    }
-
-    private static Bounds intersection(Bounds one, Bounds other) {
-        if (other.equals(Bounds.UNBOUNDED)) {
-            return one;
-        }
-        return new Bounds(
-                Math.max(one.minX(), other.minX()),
-                Math.max(one.minY(), other.minY()),
-                Math.max(one.minZ(), other.minZ()),
-                Math.min(one.maxX(), other.maxX()),
-                Math.min(one.maxY(), other.maxY()),
-                Math.min(one.maxZ(), other.maxZ()));
     }
 
     @Override

@@ -1,5 +1,6 @@
 package org.diacaustic.stability;
 
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
@@ -126,7 +127,7 @@ final class StabilityPage {
     }
 
     private void row(String... cells) {
-        line(java.util.Arrays.stream(cells).collect(Collectors.joining(" | ", "| ", " |")));
+        line(Arrays.stream(cells).collect(Collectors.joining(" | ", "| ", " |")));
     }
 
     private static String cell(String text) {

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 
@@ -153,7 +154,7 @@ public final class Values {
             return number.doubleValue();
         }
         String text = String.valueOf(value).strip();
-        Double word = WORDS.get(text.toLowerCase(java.util.Locale.ROOT));
+        Double word = WORDS.get(text.toLowerCase(Locale.ROOT));
         if (word != null) {
             return word;
         }

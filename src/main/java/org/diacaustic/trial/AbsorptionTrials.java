@@ -3,6 +3,7 @@ package org.diacaustic.trial;
 import java.util.List;
 import java.util.Locale;
 import org.diacaustic.light.PointLight;
+import org.diacaustic.material.ConstantTexture;
 import org.diacaustic.material.Material;
 import org.diacaustic.material.Medium;
 import org.diacaustic.math.Color;
@@ -120,7 +121,7 @@ final class AbsorptionTrials {
         Material mirror = Material.builder().reflectivity(Color.WHITE).build();
         Material glow = Material.builder()
                 .diffuse(Color.WHITE)
-                .ambient(new org.diacaustic.material.ConstantTexture(Color.WHITE))
+                .ambient(new ConstantTexture(Color.WHITE))
                 .build();
         Medium medium = new Medium(1, Color.grey(asked.inputs().number("sigma")), 0);
         Vector3 direction = new Vector3(SINE, COSINE, 0);

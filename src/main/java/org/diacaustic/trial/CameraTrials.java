@@ -1,6 +1,7 @@
 package org.diacaustic.trial;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -105,7 +106,7 @@ final class CameraTrials {
                 seen.counters().eyeRays());
         checks.holds(
                 "the picture is that of the pinhole, to the bit",
-                java.util.Arrays.equals(expected.image().samples(), seen.image().samples()));
+                Arrays.equals(expected.image().samples(), seen.image().samples()));
     }
 
     private static Rendering ballSeenBy(Camera camera) {

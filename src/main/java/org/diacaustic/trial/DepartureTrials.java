@@ -12,6 +12,7 @@ import org.diacaustic.scene.SceneIndex;
 import org.diacaustic.scene.SceneObject;
 import org.diacaustic.shape.Hit;
 import org.diacaustic.shape.Plane;
+import org.diacaustic.shape.Shape;
 import org.diacaustic.shape.Sphere;
 import org.diacaustic.stability.CaseFault;
 import org.diacaustic.stability.Checks;
@@ -148,7 +149,7 @@ final class DepartureTrials {
         return normal.times(StrictMath.cos(angle)).plus(aside.times(StrictMath.sin(angle)));
     }
 
-    private static SceneObject object(org.diacaustic.shape.Shape shape) {
+    private static SceneObject object(Shape shape) {
         return new SceneObject(
                 "surface", shape, Material.builder().diffuse(Color.WHITE).build());
     }

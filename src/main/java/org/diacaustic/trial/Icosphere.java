@@ -1,6 +1,7 @@
 package org.diacaustic.trial;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -103,8 +104,7 @@ final class Icosphere {
             numbers[3 * i + 1] = vertex.y();
             numbers[3 * i + 2] = vertex.z();
         }
-        int[] corners =
-                triangles.stream().flatMapToInt(java.util.Arrays::stream).toArray();
+        int[] corners = triangles.stream().flatMapToInt(Arrays::stream).toArray();
         return new MeshData(numbers, corners, null, null);
     }
 }

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.diacaustic.material.Material;
 import org.diacaustic.material.Medium;
 import org.diacaustic.math.Color;
 import org.diacaustic.math.Vector3;
@@ -73,7 +74,7 @@ final class NestingTrials {
             sheets[i] = new SceneObject(
                     "sheet " + i,
                     new Plane(new Vector3(i, 0, 0), new Vector3(-1, 0, 0)),
-                    org.diacaustic.material.Material.builder()
+                    Material.builder()
                             .transparency(Color.WHITE)
                             .outside(Medium.of(indices[i]))
                             .inside(Medium.of(indices[i + 1]))

@@ -11,7 +11,9 @@ import org.diacaustic.image.ImageFormat;
 import org.diacaustic.image.LinearImage;
 import org.diacaustic.image.ToneMapping;
 import org.diacaustic.math.Vector3;
+import org.diacaustic.render.RenderJob;
 import org.diacaustic.render.RenderPlan;
+import org.diacaustic.render.ResourceLimitException;
 import org.diacaustic.scene.Scene;
 import org.diacaustic.scene.Settings;
 import org.diacaustic.stability.CaseFault;
@@ -182,9 +184,9 @@ final class PictureTrials {
 
     private static boolean exceedsMemory(double[] size) {
         try {
-            new org.diacaustic.render.RenderJob(plan(size));
+            new RenderJob(plan(size));
             return false;
-        } catch (org.diacaustic.render.ResourceLimitException refused) {
+        } catch (ResourceLimitException refused) {
             return true;
         }
     }

@@ -1,6 +1,7 @@
 package org.diacaustic.trial;
 
 import java.util.Arrays;
+import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.descriptive.rank.Percentile;
@@ -136,7 +137,7 @@ final class ProgressivePasses {
         abstract double of(Sample errors);
 
         String exponentName() {
-            return name().toLowerCase(java.util.Locale.ROOT) + "_exponent";
+            return name().toLowerCase(Locale.ROOT) + "_exponent";
         }
     }
 }
